@@ -1,0 +1,103 @@
+#include "dem/cell_grid.h"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+#include <utility>
+
+namespace dem {
+namespace {
+
+struct Range {
+  double low, high;  // [m]
+};
+
+// The middle nine tenths of a sample of one coordinate, widened by a fifth of its length either
+// way: all of a bed, but not the few that flew out of it.
+Range middle(const Spheres& spheres, std::span<const std::uint32_t> places, double Vec3d::*axis) {
+  constexpr std::size_t enough = 1000;
+  const std::size_t stride = places.size() / enough + 1;
+  std::vector<double> sample;
+  for (std::size_t k = 0; k < places.size(); k += stride) {
+    const double coordinate = spheres.position[places[k]].*axis;
+    if (std::isfinite(coordinate)) sample.push_back(coordinate);
+  }
+  if (sample.empty()) return {0, 0};
+  const std::size_t tail = sample.size() / 20;
+  std::ranges::sort(sample);
+  const double low = sample[tail], high = sample[sample.size() - 1 - tail];
+  const double margin = (high - low) / 5;
+  return {low - margin, high + margin};
+}
+
+// Bits 0, 1, 2, ... of a cell number moved to places 0, 3, 6, ...
+std::uint64_t spread_bits(std::uint64_t x) {
+  x = (x | x << 32) & 0x001f00000000ffff;
+  x = (x | x << 16) & 0x001f0000ff0000ff;
+  x = (x | x << 8) & 0x100f00f00f00f00f;
+  x = (x | x << 4) & 0x10c30c30c30c30c3;
+  x = (x | x << 2) & 0x1249249249249249;
+  return x;
+}
+
+}  // namespace
+
+void CellGrid::fill(const Spheres& spheres, std::span<const std::uint32_t> places, double cell) {
+  assert(cell > 0);
+  const Range x = middle(spheres, places, &Vec3d::x);
+  const Range y = middle(spheres, places, &Vec3d::y);
+  const Range z = middle(spheres, places, &Vec3d::z);
+  const std::array<double, 3> extent = {x.high - x.low, y.high - y.low, z.high - z.low};
+  low_ = {x.low, y.low, z.low};
+  const double most_cells = 8 * static_cast<double>(places.size()) + 64;
+  const auto along = [&](double length) { return std::floor(length / cell) + 1; };
+  while (along(extent[0]) * along(extent[1]) * along(extent[2]) > most_cells) cell *= 1.25;
+  per_cell_ = 1 / cell;
+  for (int axis = 0; axis < 3; ++axis) cells_[axis] = static_cast<int>(along(extent[axis]));
+
+  // Counting sort: count, sum up, and place from behind, which leaves start_ at the first entries.
+  start_.assign(std::size_t(cells_[0]) * cells_[1] * cells_[2] + 1, 0);
+  cell_.resize(places.size());
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const Vec3d offset = spheres.position[places[k]] - low_;
+    const std::size_t row = std::size_t(cell_of(offset.z, 2)) * cells_[1] + cell_of(offset.y, 1);
+    cell_[k] = static_cast<std::uint32_t>(row * cells_[0] + cell_of(offset.x, 0));
+    ++start_[cell_[k]];
+  }
+  for (std::size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
+  entries_.resize(places.size());
+  for (std::size_t k = places.size(); k-- > 0;) {
+    const std::uint32_t place = places[k];
+    entries_[--start_[cell_[k]]] = {spheres.position[place], spheres.radius[place],
+                                    spheres.id[place], place};
+  }
+}
+
+std::vector<std::uint32_t> spatial_order(std::span<const Vec3d> position, double cell) {
+  assert(cell > 0);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Vec3d low = {infinity, infinity, infinity};
+  for (const Vec3d& p : position) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+  }
+  constexpr double last_cell = (1 << 21) - 1;
+  const auto number = [&](double offset) {
+    const double k = offset / cell;
+    return static_cast<std::uint64_t>(k > 0 ? std::min(k, last_cell) : 0);
+  };
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> curve;  // Morton number and place
+  curve.reserve(position.size());
+  for (std::uint32_t k = 0; k < position.size(); ++k) {
+    const Vec3d offset = position[k] - low;
+    curve.emplace_back(spread_bits(number(offset.x)) | spread_bits(number(offset.y)) << 1 |
+                           spread_bits(number(offset.z)) << 2,
+                       k);
+  }
+  std::ranges::sort(curve);
+  std::vector<std::uint32_t> order;
+  order.reserve(curve.size());
+  for (const auto& [morton, place] : curve) order.push_back(place);
+  return order;
+}
+
+}  // namespace dem

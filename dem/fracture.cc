@@ -1,0 +1,40 @@
+#include "dem/fracture.h"
+
+#include <algorithm>
+
+namespace dem {
+
+void make_breakable(ParticleStore& stones, std::vector<double> strength_by_id) {
+  stones.strength.resize(stones.size());
+  for (std::size_t k = 0; k < stones.size(); ++k)
+    stones.strength[k] = strength_by_id[stones.id[k]];
+  stones.softness.assign(stones.size(), 1.0);
+  stones.crush.assign(stones.size(), 0.0);
+}
+
+std::vector<std::int32_t> overloaded(const ParticleStore& stones) {
+  std::vector<std::int32_t> found;
+  for (std::size_t k = 0; k < stones.size(); ++k)
+    if (stones.crush[k] > stones.strength[k] && stones.softness[k] == 1.0)
+      found.push_back(static_cast<std::int32_t>(k));
+  return found;
+}
+
+Crack crack_of(std::uint32_t stone, double time, const std::vector<StoneLoad>& loads) {
+  const auto most = std::max_element(
+      loads.begin(), loads.end(),
+      [](const StoneLoad& a, const StoneLoad& b) { return a.crush < b.crush; });
+  return {stone, time, most->crush, most->direction, most->force};
+}
+
+double stiffness_share(const FractureRule& rule, const Crack& crack,
+                       const std::vector<StoneLoad>& loads) {
+  double clamp = 0;
+  for (const StoneLoad& load : loads) {
+    const double along = dot(load.direction, crack.direction);
+    clamp += 0.5 * load.force * (1 - along * along);
+  }
+  return rule.residual + (1 - rule.residual) * clamp / (clamp + crack.force);
+}
+
+}  // namespace dem

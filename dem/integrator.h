@@ -1,0 +1,21 @@
+// Motion of the stones: leapfrog, velocities half a step behind positions. Inertia is scaled, weight
+// is not: a = (F + m g) / (s m).
+#pragma once
+
+#include <span>
+
+#include "dem/particle_store.h"
+
+namespace dem {
+
+struct Travel {
+  double farthest;  // largest distance of a stone from its reference position [m]
+  bool finite;      // false: some position or velocity is not a number
+};
+
+// Advances velocity, spin and position by dt [s]. drag: rate at which motion dies out besides the
+// contact forces [1/s], to settle a bed. Writes position, velocity, spin.
+Travel advance_stones(ParticleStore& stones, double dt, double drag,
+                      std::span<const Vec3d> reference);
+
+}  // namespace dem

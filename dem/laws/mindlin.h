@@ -1,0 +1,64 @@
+// Tangential contact of bare stones: incremental spring of stiffness 8 G* a (Mindlin 1949), scaled down
+// as the contact area shrinks so that a closed cycle creates no energy (Thornton et al. 2013, 2.3),
+// with the Coulomb limit mu F on the stone force only.
+#pragma once
+
+#include "dem/contact.h"
+#include "dem/laws/hertz.h"
+
+namespace dem {
+
+template <class Normal = Hertz<>>
+struct Mindlin {
+  Normal normal;
+  double shear_modulus;     // G*, 1/G* = sum of (2 - nu)/G [Pa]
+  double friction;          // mu [-]
+  double gap = 0;           // overlap of the shells at which the stones touch: 2t, t at a wall [m]
+
+  static constexpr bool breaks = false;
+
+  template <class T>
+  struct Memory {
+    Vec3<T> shear;     // tangential force on the first body [N]
+    T contact_radius;  // a of the previous step [m]
+  };
+
+  template <class T>
+  static auto holds(const Memory<T>&) {
+    return T(0.0) > T(0.0);
+  }
+
+  void set_time_step(double) {}
+
+  template <class T>
+  Response<T> operator()(const Contact<T>& contact, Memory<T>& memory) const {
+    return respond(contact, memory, T(1.0));
+  }
+
+  // weakness: contact compliance / that of whole stones [-].
+  template <class T>
+  Response<T> respond(const Contact<T>& contact, Memory<T>& memory, T weakness) const {
+    using std::sqrt;
+    const T tiny(1e-300);
+    const T d = larger(contact.overlap - T(gap), T(0.0));
+    const auto push = normal(d, contact);
+    const T share = T(1.0) / weakness;
+    const T force = push.force * share;
+    const T stiffness = T(8.0 * shear_modulus) * push.contact_radius * share;
+
+    const T shrunk = push.contact_radius / larger(memory.contact_radius, tiny);
+    const Vec3<T> kept = carried(memory.shear, contact) * smaller(shrunk, T(1.0));
+    const Vec3<T> tried = kept - contact.sliding * stiffness;
+    const T limit = T(friction) * larger(force, T(0.0));
+    const T size = sqrt(dot(tried, tried));
+    const Vec3<T> shear = tried * (limit / larger(larger(size, limit), tiny));
+
+    memory.shear = shear;
+    memory.contact_radius = push.contact_radius;
+    // The shear stiffness is 4 G*/E0 < 1 of the normal one for every Poisson's ratio >= 0.
+    const T ahead = larger(overlap_ahead(contact) - T(gap), T(0.0));
+    return {force, force, shear, normal.stiffness(ahead, contact) * share};
+  }
+};
+
+}  // namespace dem

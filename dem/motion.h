@@ -1,0 +1,43 @@
+// How walls move.
+#pragma once
+
+#include <variant>
+
+#include "dem/frame.h"
+
+namespace dem {
+
+struct Fixed {};
+
+// Constant velocity [m/s], no turning.
+struct Driven {
+  Vec3d velocity;
+};
+
+// The root of a gyratory compactor's ram: an axial force and a precessing tilt are imposed, the axial
+// position follows from the balance of forces.
+//   tilt direction phase = 2 pi speed (time - ramp end), precession without spin unless `spin`.
+// The frame's origin stays on the mould axis (the laboratory's z axis).
+struct Ram {
+  double inertia;     // of the head, mass scaling included [kg]
+  double weight;      // of the head [N]
+  double force;       // ram force at full pressure, downwards [N]
+  double ramp_start;  // [s]
+  double ramp;        // duration of the linear force ramp [s]
+  double angle;       // tilt of the ram root [rad]
+  double speed;       // [rev/s]
+  bool spin;          // true: the head turns with the tilt direction
+
+  double force_at(double time) const;  // [N]
+  double phase_at(double time) const;  // [rad]
+};
+
+using Motion = std::variant<Fixed, Driven, Ram>;
+
+// Moves the frame to `time` + dt; contact_force: force of the stones on the wall at `time` [N].
+void advance(const Motion& motion, Frame& frame, const Vec3d& contact_force, double time, double dt);
+
+// Orientation and spin of a ram at `time`, position untouched.
+void orient(const Ram& ram, Frame& frame, double time);
+
+}  // namespace dem

@@ -1,0 +1,54 @@
+// All pairs of spheres closer than a skin, each pair once: the slots in which contacts live.
+//
+// A pair belongs to the row of its first stone, and which stone is first depends only on the radii
+// and the ids of the two (see `comes_first`), never on where the store holds them. So a slot keeps
+// its orientation, and with it the sign of its history, over every rebuild and reordering.
+//
+// The search is by levels of radius (after Ogarko, Luding (2012)): each level spans a factor of two
+// and has a grid of its own, and a stone looks for partners in its own and the coarser levels, so
+// that small stones do not pay for large ones.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "dem/cell_grid.h"
+
+namespace dem {
+
+struct StonePair {
+  std::uint32_t first, second;  // places in the store
+};
+
+// Whether a stone of outer radius r [m] is the first of its pair with another stone: the one of the
+// lower level of radius, of the lower id where the levels are the same.
+inline bool comes_first(double r, std::uint32_t id, double other_r, std::uint32_t other_id) {
+  const int level = std::ilogb(r), other_level = std::ilogb(other_r);
+  return level != other_level ? level < other_level : id < other_id;
+}
+
+struct NeighborList {
+  // All arrays are written by build() alone, and are the same for any number of threads.
+  // Row i, the slots row_start[i] to row_start[i + 1], holds the pairs of which i is the first.
+  std::vector<std::uint32_t> row_start;
+  std::vector<std::uint32_t> first;    // place of the first stone of each slot
+  std::vector<std::uint32_t> second;   // place of the second, rising within a row
+  std::vector<std::int32_t> previous;  // slot of the same pair before the build, or -1
+  // reverse_slot[reverse_start[j]] to reverse_slot[reverse_start[j + 1]] are the slots of which j
+  // is the second stone, rising.
+  std::vector<std::uint32_t> reverse_start;
+  std::vector<std::uint32_t> reverse_slot;
+
+  // Lists every pair whose spheres are less than `skin` [m] apart, and the pairs to `keep`, however
+  // far apart; those must be oriented (see comes_first). If the store was reordered since the last
+  // build, old_index[i] is the place where stone i was then.
+  void build(const Spheres& spheres, double skin, std::span<const StonePair> keep = {},
+             std::span<const std::uint32_t> old_index = {});
+
+  // The slot of the pair (i, j), i coming first; -1 if it is not listed.
+  std::int32_t slot_of(std::uint32_t i, std::uint32_t j) const;
+};
+
+}  // namespace dem

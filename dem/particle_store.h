@@ -1,0 +1,45 @@
+// The stones: one contiguous array per quantity, in spatial order (see Simulation::refresh_neighbors).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "dem/vec3.h"
+
+namespace dem {
+
+struct ParticleStore {
+  double shell = 0;         // thickness of the binder shell, the same for all stones [m]
+  double inertia_scale = 1; // inertia / true inertia; weight stays true [-]
+
+  // Written once, when the stones are made.
+  std::vector<std::uint32_t> id;
+  std::vector<double> radius;    // of the bare stone [m]
+  std::vector<double> mass;      // true mass [kg]
+  std::vector<double> strength;  // Weibull strength [Pa]; empty when stones do not break
+
+  // Written by the integrator.
+  std::vector<Vec3d> position;  // [m]
+  std::vector<Vec3d> velocity;  // [m/s]
+  std::vector<Vec3d> spin;      // angular velocity [rad/s]
+
+  // Written by the gather stage, then added to by the wall stage.
+  std::vector<Vec3d> force;   // [N]
+  std::vector<Vec3d> torque;  // [N m]
+
+  // Written by the fracture stage; empty when stones do not break.
+  std::vector<double> softness;  // stone compliance / that of the whole stone, >= 1 [-]
+  std::vector<double> crush;     // largest F / R0^2 of its stone contacts [Pa], written by gather and walls
+
+  std::size_t size() const { return id.size(); }
+  double outer_radius(std::size_t i) const { return radius[i] + shell; }
+};
+
+// Stones of density [kg/m3] at rest at the given places, with ids 0, 1, ...
+ParticleStore make_stones(std::vector<Vec3d> position, std::vector<double> radius, double density,
+                          double shell, double inertia_scale);
+
+// The same stones stored in another order: place k holds the stone that was at order[k].
+void reorder(ParticleStore& stones, const std::vector<std::uint32_t>& order);
+
+}  // namespace dem

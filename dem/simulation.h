@@ -1,0 +1,255 @@
+// A bed of stones between walls, one step after the other. This is the header other rooms read.
+//
+// Law is the contact law of pairs; walls have laws of the same kind with their own constants.
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "dem/fracture.h"
+#include "dem/gather.h"
+#include "dem/integrator.h"
+#include "dem/neighbor_list.h"
+#include "dem/pair_contacts.h"
+#include "dem/time_step.h"
+#include "dem/trouble.h"
+#include "dem/wall.h"
+#include "dem/wall_contacts.h"
+
+namespace dem {
+
+struct Settings {
+  double gravity = 9.81;         // [m/s2]
+  double safety = 0.2;           // time step / sqrt(inertia / stiffness) of the stiffest contact [-]
+  double largest_step;           // [s], used while nothing stiffer is in contact
+  double largest_overlap = 0.5;  // of stones, / radius of the smaller: beyond it the run stops [-]
+  double skin;                   // search range beyond contact [m]
+  FractureRule fracture;
+};
+
+template <ContactLaw Law>
+class Simulation {
+ public:
+  Simulation(ParticleStore stones, const Law& pair_law, Settings settings)
+      : settings_(settings), stones_(std::move(stones)), clock_(settings.safety, settings.largest_step) {
+    pairs_.law = pair_law;
+  }
+
+  // Walls are named in the order they are added; the reference stays valid until the next call.
+  Wall& add_wall(Wall wall, const Law& law) {
+    walls_.push_back(std::move(wall));
+    wall_contacts_.emplace_back().law = law;
+    stale_ = true;
+    return walls_.back();
+  }
+
+  // One time step. Throws NumericalTrouble.
+  void step();
+
+  // The laws from here on, e.g. once stones may bond; memories are kept.
+  void set_laws(const Law& pair_law, const std::vector<Law>& wall_laws);
+  void set_drag(double rate) { drag_ = rate; }  // [1/s], see advance_stones
+
+  double time() const { return time_; }                // [s]
+  double time_step() const { return clock_.step(); }   // [s]
+  std::int64_t steps() const { return steps_; }
+  std::int64_t rebuilds() const { return rebuilds_; }
+  std::string limiting_contact() const { return limiting_; }
+  const ParticleStore& stones() const { return stones_; }
+  std::vector<Wall>& walls() { return walls_; }
+  const std::vector<Crack>& cracks() const { return cracks_; }
+  const PairContacts<Law>& pairs() const { return pairs_; }
+  const WallContacts<Law>& wall_contacts(std::size_t wall) const { return wall_contacts_[wall]; }
+
+ private:
+  void move_walls();
+  void refresh_neighbors();
+  void find_forces(bool check);
+  void break_stones();
+  void soften_stones();
+  std::vector<StoneLoad> loads_on(std::size_t place) const;
+  void inspect(const Extremes& pair, const std::vector<Extremes>& walls);
+  void set_time_step();
+
+  Settings settings_;
+  ParticleStore stones_;
+  std::vector<Wall> walls_;
+  PairContacts<Law> pairs_;
+  std::vector<WallContacts<Law>> wall_contacts_;
+  NeighborList list_;
+  std::vector<Vec3d> reference_;  // positions when the lists were made
+  std::vector<Crack> cracks_;
+  StepClock clock_;
+  std::string limiting_ = "nothing in contact";
+  double time_ = 0, drag_ = 0;
+  std::int64_t steps_ = 0, rebuilds_ = 0;
+  bool stale_ = true;  // lists must be made before the next forces
+};
+
+template <ContactLaw Law>
+void Simulation<Law>::step() {
+  if (stale_) {
+    refresh_neighbors();
+    set_time_step();
+    find_forces(true);
+  }
+  const double dt = clock_.step();
+  move_walls();
+  const Travel travel = advance_stones(stones_, dt, drag_, reference_);
+  time_ += dt;
+  ++steps_;
+  if (!travel.finite) stop_at_first_not_finite(stones_, time_);
+
+  double wall_moved = 0;
+  for (const Wall& wall : walls_) wall_moved = larger(wall_moved, wall.moved);
+  if (2 * travel.farthest > settings_.skin || travel.farthest + wall_moved > settings_.skin)
+    refresh_neighbors();
+
+  find_forces(steps_ % check_interval == 0);
+}
+
+template <ContactLaw Law>
+void Simulation<Law>::find_forces(bool check) {
+  const double dt = clock_.step();
+  const Extremes pair = pairs_.evaluate(stones_, dt, check);
+  gather_forces(stones_, list_, pairs_.forces, settings_.gravity);
+  std::vector<Extremes> at_walls;
+  for (std::size_t w = 0; w < walls_.size(); ++w)
+    at_walls.push_back(wall_contacts_[w].evaluate(stones_, walls_[w], dt, check));
+  if constexpr (Law::breaks) {
+    break_stones();
+    if (check) soften_stones();
+  }
+  if (check) inspect(pair, at_walls);
+}
+
+template <ContactLaw Law>
+void Simulation<Law>::move_walls() {
+  const double dt = clock_.step();
+  for (Wall& wall : walls_) {
+    advance(wall.motion, wall.frame, wall.force, time_, dt);
+    const double reach =
+        std::visit([](const auto& surface) { return surface.extent(); }, wall.surface);
+    wall.moved += dt * (norm(wall.frame.velocity) + norm(wall.frame.spin) * reach);
+    if (!wall.field) continue;
+    wall.field->drift(dt);
+    wall.moved += dt * wall.field->fastest;
+  }
+}
+
+template <ContactLaw Law>
+void Simulation<Law>::refresh_neighbors() {
+  constexpr int sort_interval = 50;  // rebuilds between two spatial sortings
+  std::vector<std::uint32_t> order;
+  std::vector<std::int32_t> place(stones_.size());
+  if (rebuilds_++ % sort_interval == 0) {
+    double mean = 0;
+    for (double r : stones_.radius) mean += r / static_cast<double>(stones_.size());
+    order = spatial_order(stones_.position, 4 * (mean + stones_.shell));
+    reorder(stones_, order);
+  }
+  for (std::size_t k = 0; k < place.size(); ++k) place[order.empty() ? k : order[k]] = static_cast<std::int32_t>(k);
+
+  std::vector<double> radius(stones_.size());
+  for (std::size_t k = 0; k < radius.size(); ++k) radius[k] = stones_.outer_radius(k);
+  std::vector<StonePair> keep;
+  for (std::int64_t s = 0; s < pairs_.slots(); ++s) {
+    if (!pairs_.history.holds(s)) continue;
+    const auto i = static_cast<std::uint32_t>(place[pairs_.first(s)]);
+    const auto j = static_cast<std::uint32_t>(place[pairs_.second(s)]);
+    const double gap = norm(stones_.position[i] - stones_.position[j]) - radius[i] - radius[j];
+    if (gap >= settings_.skin) keep.push_back({i, j});
+  }
+  list_.build({stones_.position, radius, stones_.id}, settings_.skin, keep, order);
+  pairs_.take(list_);
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    wall_contacts_[w].find(stones_, walls_[w], settings_.skin, order);
+    walls_[w].moved = 0;
+  }
+  reference_ = stones_.position;
+  stale_ = false;
+}
+
+template <ContactLaw Law>
+void Simulation<Law>::set_laws(const Law& pair_law, const std::vector<Law>& wall_laws) {
+  pairs_.law = pair_law;
+  for (std::size_t w = 0; w < walls_.size(); ++w) wall_contacts_[w].law = wall_laws[w];
+  set_time_step();
+}
+
+template <ContactLaw Law>
+void Simulation<Law>::set_time_step() {
+  pairs_.law.set_time_step(clock_.step());
+  for (auto& contacts : wall_contacts_) contacts.law.set_time_step(clock_.step());
+}
+
+template <ContactLaw Law>
+void Simulation<Law>::inspect(const Extremes& pair, const std::vector<Extremes>& at_walls) {
+  const auto stone_of = [&](std::int32_t place) { return stones_.id[place]; };
+  double rate = pair.rate;
+  std::string limiting;
+  if (pair.rate_slot >= 0 && rate > 0)
+    limiting = "stones " + std::to_string(stone_of(pairs_.first(pair.rate_slot))) + " and " +
+               std::to_string(stone_of(pairs_.second(pair.rate_slot)));
+  if (pair.overlap > settings_.largest_overlap)
+    throw NumericalTrouble("stone overlap / radius", stone_of(pairs_.first(pair.overlap_slot)), time_,
+                           pair.overlap);
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    const auto& at = at_walls[w];
+    if (at.overlap_slot >= 0 && at.overlap > settings_.largest_overlap)
+      throw NumericalTrouble("stone overlap with wall " + walls_[w].name + " / radius",
+                             stone_of(wall_contacts_[w].stones[at.overlap_slot]), time_, at.overlap);
+    if (at.rate <= rate) continue;
+    rate = at.rate;
+    limiting = "stone " + std::to_string(stone_of(wall_contacts_[w].stones[at.rate_slot])) +
+               " at wall " + walls_[w].name;
+  }
+  if (rate > 0) limiting_ = limiting;
+  if (clock_.look(rate)) set_time_step();
+}
+
+template <ContactLaw Law>
+void Simulation<Law>::break_stones() {
+  for (const std::int32_t place : overloaded(stones_)) {
+    cracks_.push_back(crack_of(stones_.id[place], time_, loads_on(place)));
+    stones_.softness[place] = std::nextafter(1.0, 2.0);  // cracked; soften_stones goes on from here
+  }
+}
+
+template <ContactLaw Law>
+void Simulation<Law>::soften_stones() {
+  if (cracks_.empty()) return;
+  std::vector<std::int32_t> place(stones_.size());
+  for (std::size_t k = 0; k < place.size(); ++k) place[stones_.id[k]] = static_cast<std::int32_t>(k);
+  for (Crack& crack : cracks_) {
+    const std::int32_t k = place[crack.stone];
+    const Vec3d turned = crack.direction + cross(stones_.spin[k], crack.direction) *
+                                               (check_interval * clock_.step());
+    crack.direction = turned * (1 / norm(turned));
+    const double share = 1 / stones_.softness[k];
+    const double target = stiffness_share(settings_.fracture, crack, loads_on(k));
+    stones_.softness[k] = 1 / (share + settings_.fracture.lag * (target - share));
+  }
+}
+
+template <ContactLaw Law>
+std::vector<StoneLoad> Simulation<Law>::loads_on(std::size_t place) const {
+  std::vector<StoneLoad> loads;
+  const auto add_pair = [&](std::uint32_t s) {
+    const double crush = pairs_.forces[s].crush;
+    if (crush <= 0) return;
+    const auto i = pairs_.first(s), j = pairs_.second(s);
+    const Vec3d apart = stones_.position[i] - stones_.position[j];
+    const double radius = stones_.radius[i] * stones_.radius[j] / (stones_.radius[i] + stones_.radius[j]);
+    loads.push_back({apart * (1 / norm(apart)), crush * radius * radius, crush});
+  };
+  for (auto s = list_.row_start[place]; s < list_.row_start[place + 1]; ++s) add_pair(s);
+  for (auto k = list_.reverse_start[place]; k < list_.reverse_start[place + 1]; ++k)
+    add_pair(list_.reverse_slot[k]);
+  for (const auto& contacts : wall_contacts_) contacts.add_load(stones_, place, loads);
+  return loads;
+}
+
+}  // namespace dem

@@ -1,0 +1,41 @@
+// What one contact hands to its two bodies, and what a step check finds among all contacts.
+#pragma once
+
+#include <cstdint>
+
+#include "dem/pack.h"
+#include "dem/vec3.h"
+
+namespace dem {
+
+// Written by the contact stage, read by the gather stage. The torque on either body is its arm
+// (outer radius - half_overlap) times `moment`.
+struct alignas(64) SlotForce {
+  Vec3d force;          // on the first body [N]
+  double half_overlap;  // h/2 [m]
+  Vec3d moment;         // shear x normal [N]
+  double crush;         // F / R0^2 of the stone contact [Pa]; 0 if the law does not break stones
+};
+
+// The extreme contacts of one list, found while their forces are evaluated.
+struct Extremes {
+  double rate = 0;             // largest stiffness / inertia of the lighter body [1/s2]
+  std::int64_t rate_slot = -1;
+  double overlap = 0;          // largest stone overlap / radius of the smaller stone [-]
+  std::int64_t overlap_slot = -1;
+
+  // Keeps the larger; the lower slot where equal, so that the order of asking does not matter.
+  void merge(const Extremes& other) {
+    keep(rate, rate_slot, other.rate, other.rate_slot);
+    keep(overlap, overlap_slot, other.overlap, other.overlap_slot);
+  }
+
+ private:
+  static void keep(double& most, std::int64_t& slot, double value, std::int64_t at) {
+    if (at < 0 || value < most || (value == most && slot >= 0 && slot < at)) return;
+    most = value;
+    slot = at;
+  }
+};
+
+}  // namespace dem

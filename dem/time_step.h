@@ -1,0 +1,26 @@
+// The time step, taken from the stiffest contact of the running scene: dt = safety sqrt(inertia / k).
+#pragma once
+
+#include "dem/particle_store.h"
+
+namespace dem {
+
+// Steps on a fixed ladder of ratio 2^(1/4), so that the step changes seldom: down at once when a contact
+// stiffens, up one rung at a time when the room is there.
+class StepClock {
+ public:
+  StepClock(double safety, double largest) : safety_(safety), largest_(largest), step_(largest) {}
+
+  double step() const { return step_; }  // [s]
+
+  // rate: largest stiffness / inertia found among the contacts [1/s2]. True if the step changed.
+  bool look(double rate);
+
+ private:
+  double safety_, largest_, step_;
+};
+
+// Throws NumericalTrouble naming the first stone whose position, velocity or spin is not finite.
+void stop_at_first_not_finite(const ParticleStore& stones, double time);
+
+}  // namespace dem

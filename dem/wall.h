@@ -1,0 +1,28 @@
+// A wall: an analytic surface that moves, optionally with a letterbox through which it bends.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "dem/motion.h"
+#include "dem/surface_field.h"
+#include "dem/surfaces.h"
+
+namespace dem {
+
+struct Wall {
+  std::string name;
+  Surface surface;
+  Frame frame;
+  Motion motion = Fixed{};
+  std::optional<SurfaceField> field;
+
+  // Written by the wall contacts every step: action of the stones on the wall, laboratory axes.
+  Vec3d force = {0, 0, 0};   // [N]
+  Vec3d moment = {0, 0, 0};  // about the frame's origin [N m]
+  double push = 0;           // sum of the normal forces, positive pressing on the wall [N]
+
+  double moved = 0;  // bound of its motion since the contact lists were made [m]
+};
+
+}  // namespace dem

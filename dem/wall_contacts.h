@@ -1,0 +1,227 @@
+// The contacts of one wall. A stone touches a wall at most once, so that forces can be added to the
+// stones in any order of slots with the same bits; the wall's own sums run in slot order.
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "dem/fracture.h"
+#include "dem/pair_contacts.h"
+#include "dem/wall.h"
+
+namespace dem {
+
+template <ContactLaw Law>
+class WallContacts {
+ public:
+  Law law;
+  ContactHistory<Law> history;
+  std::vector<std::int32_t> stones;  // one per slot (padded), in rising store order
+
+  // Lists the stones nearer than `skin` [m] and those whose contact lives on. old_index: where the
+  // stone that is now at k was stored when the last list was made; empty if nothing moved places.
+  void find(const ParticleStore& particles, const Wall& wall, double skin,
+            std::span<const std::uint32_t> old_index);
+
+  // Adds the contact forces to the stones and renews the wall's force, moment, push and impulses.
+  template <class T = Pack>
+  Extremes evaluate(ParticleStore& particles, Wall& wall, double dt, bool check);
+
+  // Appends the stone contact force on the stone at `place`, if there is one (laws that break only).
+  void add_load(const ParticleStore& particles, std::size_t place,
+                std::vector<StoneLoad>& loads) const;
+
+  std::int64_t slots() const { return slots_; }
+
+ private:
+  struct Touch {
+    SlotForce action;
+    Vec3d point;      // of contact [m]
+    double push;      // [N]
+    Stencil stencil;  // of an elastic wall
+  };
+
+  template <class T>
+  void evaluate_at(ParticleStore& particles, const Wall& wall, double dt, bool check,
+                   std::int64_t slot, Extremes& extremes);
+  // Velocity of the bent face [m/s] and its displacement along the normal [m] below the points `foot`.
+  template <class T>
+  Vec3<T> bend(const Wall& wall, const Vec3<T>& foot, const Vec3<T>& normal, Touch* touch,
+               T& nearer) const;
+  void add_up(Wall& wall, double dt) const;
+
+  std::vector<Touch> touches_;  // written by evaluate_at
+  std::int64_t slots_ = 0;
+};
+
+template <ContactLaw Law>
+void WallContacts<Law>::find(const ParticleStore& particles, const Wall& wall, double skin,
+                             std::span<const std::uint32_t> old_index) {
+  const std::size_t count = particles.size();
+  std::vector<std::int32_t> old_slot(count, -1);
+  for (std::int64_t s = 0; s < slots_; ++s) old_slot[stones[s]] = static_cast<std::int32_t>(s);
+  stones.clear();
+  std::vector<std::int32_t> previous;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Vec3d local = wall.frame.to_frame(particles.position[k] - wall.frame.origin);
+    const double distance =
+        std::visit([&](const auto& surface) { return surface.nearest(local).distance; }, wall.surface);
+    const std::int32_t before = old_slot[old_index.empty() ? k : old_index[k]];
+    const bool near = distance < particles.outer_radius(k) + skin;
+    if (!near && (before < 0 || !history.holds(before))) continue;
+    stones.push_back(static_cast<std::int32_t>(k));
+    previous.push_back(before);
+  }
+  slots_ = static_cast<std::int64_t>(stones.size());
+  stones.resize((stones.size() + lanes - 1) / lanes * lanes, 0);
+  touches_.assign(stones.size(), Touch{});
+  history.carry(previous);
+}
+
+template <ContactLaw Law>
+template <class T>
+Extremes WallContacts<Law>::evaluate(ParticleStore& particles, Wall& wall, double dt, bool check) {
+  Extremes found;
+#pragma omp parallel if (slots_ > 64)
+  {
+    Extremes mine;
+#pragma omp for schedule(static) nowait
+    for (std::int64_t s = 0; s < slots_; s += width<T>)
+      evaluate_at<T>(particles, wall, dt, check, s, mine);
+    if (check) {
+#pragma omp critical
+      found.merge(mine);
+    }
+  }
+  add_up(wall, dt);
+  return found;
+}
+
+template <ContactLaw Law>
+template <class T>
+Vec3<T> WallContacts<Law>::bend(const Wall& wall, const Vec3<T>& foot, const Vec3<T>& normal,
+                                Touch* touch, T& nearer) const {
+  Vec3<T> velocity;
+  for (int k = 0; k < width<T>; ++k) {
+    touch[k].stencil = wall.field->stencil({lane(foot.x, k), lane(foot.y, k), lane(foot.z, k)});
+    const Vec3d u = wall.frame.to_laboratory(wall.field->displacement_at(touch[k].stencil));
+    const Vec3d v = wall.frame.to_laboratory(wall.field->velocity_at(touch[k].stencil));
+    set_lane(nearer, k,
+             u.x * lane(normal.x, k) + u.y * lane(normal.y, k) + u.z * lane(normal.z, k));
+    set_lane(velocity.x, k, v.x);
+    set_lane(velocity.y, k, v.y);
+    set_lane(velocity.z, k, v.z);
+  }
+  return velocity;
+}
+
+template <ContactLaw Law>
+template <class T>
+void WallContacts<Law>::evaluate_at(ParticleStore& particles, const Wall& wall, double dt,
+                                    bool check, std::int64_t slot, Extremes& extremes) {
+  const std::int32_t* i = &stones[slot];
+  Touch* touch = &touches_[slot];
+
+  const Vec3<T> position = gather<T>(particles.position, i);
+  const T stone = gather<T>(particles.radius.data(), i, 1);
+  const T radius = stone + T(particles.shell);
+  const Vec3<T> local = wall.frame.to_frame(position - Frame::wide<T>(wall.frame.origin));
+  const Nearest<T> nearest =
+      std::visit([&](const auto& surface) { return surface.nearest(local); }, wall.surface);
+  const Vec3<T> normal = wall.frame.to_laboratory(nearest.normal);
+  T distance = nearest.distance;
+  Vec3<T> bending = {T(0.0), T(0.0), T(0.0)};  // velocity of the bent face
+  if (wall.field) {
+    T nearer(0.0);
+    bending = bend(wall, local - nearest.normal * distance, normal, touch, nearer);
+    distance -= nearer;
+  }
+  const T overlap = radius - distance;
+
+  MemoryOf<Law, T> memory(history, slot);
+  const auto alive = lanes_below<T>(slots_ - slot) &
+                     ((overlap > T(0.0)) | Law::template holds<T>(memory.value));
+  const T arm = radius - T(0.5) * overlap;
+  const Vec3<T> point = position - normal * arm;
+  const Vec3<T> spin = gather<T>(particles.spin, i);
+  const Vec3<T> rate =
+      gather<T>(particles.velocity, i) - wall.frame.velocity_at(point) - bending;
+
+  Contact<T> contact;
+  contact.overlap = overlap;
+  contact.outer_radius = radius;
+  contact.stone_radius = stone;
+  const T inertia = gather<T>(particles.mass.data(), i, 1) * T(particles.inertia_scale);
+  contact.mass = inertia;
+  contact.softness = T(1.0);
+  if constexpr (Law::breaks) contact.softness = gather<T>(particles.softness.data(), i, 1);
+  contact.normal = normal;
+  contact.closing = -dot(rate, normal);
+  const Vec3<T> slip = rate - cross(arm * spin, normal);
+  contact.sliding = (slip - normal * dot(slip, normal)) * T(dt);
+  // The frame follows the wall and, about the normal, half the stone's own spin.
+  const Vec3<T> frame_spin = Frame::wide<T>(wall.frame.spin);
+  contact.turn = (frame_spin + normal * (T(0.5) * dot(spin - frame_spin, normal))) * T(dt);
+  contact.horizon = check ? T(check_interval * dt) : T(0.0);
+
+  const Response<T> response = law(contact, memory.value);
+  forget<T>(!alive, memory.value);
+  memory.keep(history, slot);
+
+  const Vec3<T> force = normal * response.push + response.shear;
+  const Vec3<T> moment = cross(response.shear, normal);
+  for (int k = 0; k < width<T>; ++k) {
+    Touch& at = touch[k];
+    if (!lane(alive, k)) {
+      at.action = SlotForce{};
+      at.push = 0;
+      continue;
+    }
+    at.action = {{lane(force.x, k), lane(force.y, k), lane(force.z, k)}, 0.5 * lane(overlap, k),
+                 {lane(moment.x, k), lane(moment.y, k), lane(moment.z, k)}, 0};
+    at.point = {lane(point.x, k), lane(point.y, k), lane(point.z, k)};
+    at.push = lane(response.push, k);
+    const std::int32_t to = i[k];
+    particles.force[to] += at.action.force;
+    particles.torque[to] += at.action.moment * lane(arm, k);
+    if constexpr (Law::breaks) {
+      const double size = lane(stone, k);
+      at.action.crush = lane(response.stone, k) / (size * size);
+      particles.crush[to] = larger(particles.crush[to], at.action.crush);
+    }
+    if (check)
+      extremes.merge({lane(response.stiffness, k) / lane(inertia, k), slot + k,
+                      (lane(overlap, k) - particles.shell) / lane(stone, k), slot + k});
+  }
+}
+
+template <ContactLaw Law>
+void WallContacts<Law>::add_load(const ParticleStore& particles, std::size_t place,
+                                 std::vector<StoneLoad>& loads) const {
+  const auto end = stones.begin() + slots_;
+  const auto found = std::lower_bound(stones.begin(), end, static_cast<std::int32_t>(place));
+  if (found == end || *found != static_cast<std::int32_t>(place)) return;
+  const Touch& touch = touches_[found - stones.begin()];
+  if (touch.action.crush <= 0) return;
+  const Vec3d arm = particles.position[place] - touch.point;
+  const double radius = particles.radius[place];
+  loads.push_back({arm * (1 / norm(arm)), touch.action.crush * radius * radius, touch.action.crush});
+}
+
+template <ContactLaw Law>
+void WallContacts<Law>::add_up(Wall& wall, double dt) const {
+  wall.force = wall.moment = Vec3d{0, 0, 0};
+  wall.push = 0;
+  for (std::int64_t s = 0; s < slots_; ++s) {
+    const Touch& touch = touches_[s];
+    const Vec3d on_wall = -touch.action.force;
+    wall.force += on_wall;
+    wall.moment += cross(touch.point - wall.frame.origin, on_wall);
+    wall.push += touch.push;
+    if (wall.field) wall.field->add_impulse(touch.stencil, wall.frame.to_frame(on_wall) * dt);
+  }
+}
+
+}  // namespace dem
