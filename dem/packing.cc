@@ -4,10 +4,12 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <numbers>
 #include <numeric>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "dem/random.h"
 

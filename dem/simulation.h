@@ -60,6 +60,7 @@ class Simulation {
   const ParticleStore& stones() const { return stones_; }
   std::vector<Wall>& walls() { return walls_; }
   const std::vector<Crack>& cracks() const { return cracks_; }
+  std::vector<int> coordination() const;  // stones that touch each stone, by place
   const PairContacts<Law>& pairs() const { return pairs_; }
   const WallContacts<Law>& wall_contacts(std::size_t wall) const { return wall_contacts_[wall]; }
 
@@ -208,6 +209,17 @@ void Simulation<Law>::inspect(const Extremes& pair, const std::vector<Extremes>&
   }
   if (rate > 0) limiting_ = limiting;
   if (clock_.look(rate)) set_time_step();
+}
+
+template <ContactLaw Law>
+std::vector<int> Simulation<Law>::coordination() const {
+  std::vector<int> touching(stones_.size(), 0);
+  for (std::int64_t s = 0; s < pairs_.slots(); ++s) {
+    if (pairs_.forces[s].half_overlap <= 0) continue;
+    ++touching[pairs_.first(s)];
+    ++touching[pairs_.second(s)];
+  }
+  return touching;
 }
 
 template <ContactLaw Law>

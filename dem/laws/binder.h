@@ -31,9 +31,9 @@ struct Binder {
   Bond bond;
 
   // Written by set_time_step.
-  double relaxed = 1;                        // g [-]
-  std::array<double, Terms> decay = {};      // of a transient in one step [-]
-  std::array<double, Terms> growth = {};     // of a transient per rise in one step [-]
+  double relaxed = 1;                     // g [-]
+  std::array<double, Terms> decay = {};   // of a transient in one step [-]
+  std::array<double, Terms> growth = {};  // of a transient per rise in one step [-]
 
   static constexpr bool breaks = false;
 
@@ -51,12 +51,13 @@ struct Binder {
     return memory.bonded > T(0.5);
   }
 
+  // dt: 0 for a jump [s].
   void set_time_step(double dt) {
     relaxed = std::max(0.0, 1 - std::accumulate(weight.begin(), weight.end(), 0.0));
     for (int i = 0; i < Terms; ++i) {
       const double x = dt / time[i];
       decay[i] = std::exp(-x);
-      growth[i] = -std::expm1(-x) / x;
+      growth[i] = x > 0 ? -std::expm1(-x) / x : 1;
     }
   }
 
@@ -65,13 +66,14 @@ struct Binder {
     using std::sqrt;
     const T zero(0.0);
     const T h = contact.overlap;
-    const auto pressed = h > zero;
+    const auto pulled = h <= zero;
+    const auto strange = pulled & (memory.bonded <= T(0.5));  // not pressed, now or before
     const T size = sqrt(magnitude(h));
-    const T root = select(pressed, size, -size);
+    const T root = select(pulled, -size, size);
     const T old = memory.root;
-    const T rise = root * size * size - old * old * magnitude(old);
+    const T rise = root * root * root - old * old * old;
 
-    T sum = T(relaxed) * root * size * size;
+    T sum = T(relaxed) * root * root * root;
     for (int i = 0; i < Terms; ++i) {
       memory.push[i] = T(decay[i]) * memory.push[i] + T(growth[i]) * rise;
       sum += T(weight[i]) * memory.push[i];
@@ -79,7 +81,7 @@ struct Binder {
     const T factor = T(normal_factor * modulus) * sqrt(contact.outer_radius);
     const T limit = -bond.pull_off(contact.outer_radius);
     const T elastic = factor * sum;
-    const auto parted = (h <= zero) & (elastic <= limit);
+    const auto parted = strange | (pulled & (elastic <= limit));
     const T push = select(parted, zero, larger(elastic, limit));
 
     const T area = T(std::numbers::pi) * contact.outer_radius * larger(h, zero);
@@ -98,7 +100,7 @@ struct Binder {
     memory.root = root;
     memory.bonded = T(1.0);
     forget<T>(parted, memory);
-    const T ahead = larger(overlap_ahead(contact), magnitude(h));
+    const T ahead = larger(overlap_ahead(contact), select(strange, zero, size * size));
     const T stiffness =
         larger(T(1.5) * factor * sqrt(ahead),
                T(modulus / film * std::numbers::pi) * contact.outer_radius * ahead);

@@ -1,0 +1,86 @@
+// A bed of stones as every program begins it: a gas in a rigid container, settled under its weight.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "apps/laws.h"
+#include "dem/observe.h"
+#include "dem/packing.h"
+
+namespace apps {
+
+// Material of walls that do not yield: all compliance of the contact is the stone's.
+inline constexpr dem::Material rigid = {1e30, 0.3};
+
+// The step for a pair of the smallest stones with full shells, or a slight overlap of dry stones:
+// used while nothing stiffer is in contact [s].
+template <class Law>
+double largest_step(const Law& law, const dem::ParticleStore& stones, double safety) {
+  const double radius = *std::min_element(stones.radius.begin(), stones.radius.end());
+  const double mass = stones.inertia_scale * *std::min_element(stones.mass.begin(), stones.mass.end());
+  dem::Contact<double> contact = {};
+  contact.overlap = stones.shell > 0 ? 2 * stones.shell : 1e-4 * radius;
+  contact.outer_radius = (radius + stones.shell) / 2;
+  contact.stone_radius = radius / 2;
+  contact.mass = mass / 2;
+  contact.softness = 1;
+  contact.normal = {0, 0, 1};
+  typename Law::template Memory<double> memory = {};
+  Law fresh = law;
+  fresh.set_time_step(1e-9);
+  return safety * std::sqrt(mass / fresh(contact, memory).stiffness);
+}
+
+// The simulation of a gas of the mix in a container, without walls yet, at rest and without bonds.
+template <class Law>
+dem::Simulation<Law> make_bed(const StonesScene& stones, const Mix& mix, const LawBook& book,
+                              const FillScene& fill, const NumericsScene& numerics, int seed,
+                              const dem::Mould& container) {
+  std::vector<double> outer = mix.radius;
+  for (double& r : outer) r += mix.shell;
+  const dem::Gas gas = dem::pack_gas(outer, container, fill.packing_density, seed);
+  dem::ParticleStore store =
+      dem::make_stones(gas.position, mix.radius, stones.density, mix.shell, numerics.mass_scale);
+  if (!mix.strength.empty()) dem::make_breakable(store, mix.strength);
+
+  const Law law = book.law<Law>({std::nullopt, stones.friction}, fill.bonds);
+  dem::Settings settings;
+  settings.safety = numerics.safety;
+  settings.largest_overlap = numerics.largest_overlap;
+  settings.largest_step = largest_step(law, store, numerics.safety);
+  settings.skin = 0.1 * (mix.smallest_radius() + mix.shell);
+  return dem::Simulation<Law>(std::move(store), law, settings);
+}
+
+// Lets the bed settle until its kinetic energy is below rest_energy x sum of m g R; motion also dies
+// out by a drag of twice the rate of free fall over the depth of the gas, which only this stage has.
+// Stops with NumericalTrouble if the bed does not come to rest within 100 such times.
+template <class Law>
+void settle(dem::Simulation<Law>& bed, const FillScene& fill,
+            const std::function<void(double progress)>& report) {
+  constexpr double gravity = 9.81;  // [m/s2]
+  const dem::ParticleStore& stones = bed.stones();
+  double threshold = 0;
+  for (std::size_t k = 0; k < stones.size(); ++k)
+    threshold += fill.rest_energy * stones.mass[k] * gravity * stones.radius[k];
+  const double depth = dem::mean_of_highest(stones, 1);
+  const double fall = std::sqrt(2 * depth * stones.inertia_scale / gravity);
+  const double start = bed.time();
+  bed.set_drag(2 / fall);
+  while (true) {
+    const double next = bed.time() + 0.05 * fall;
+    while (bed.time() < next) bed.step();
+    const double energy = dem::kinetic_energy(stones);
+    const double spent = (bed.time() - start) / fall;
+    report(std::min(1.0, threshold / energy));
+    if (spent > 1 && energy < threshold) break;
+    if (spent > 100)
+      throw dem::NumericalTrouble("kinetic energy [J] of a bed that does not come to rest",
+                                  stones.id.front(), bed.time(), energy);
+  }
+  bed.set_drag(0);
+}
+
+}  // namespace apps

@@ -1,0 +1,45 @@
+// The main job: gyratory compaction of a mix, coupled with the elastic steel that the scene names.
+#include <unistd.h>
+
+#include <iostream>
+
+#include "apps/gyratory_run.h"
+#include "apps/program.h"
+
+namespace {
+
+void compact(const apps::Options& options) {
+  const apps::GyratoryScene scene = apps::read_gyratory_scene(options.scene, options.overrides);
+  const apps::Mix mix = apps::prepare_mix(scene.stones, scene.binder, scene.run.seed);
+  const apps::Machine machine = apps::size_machine(scene, mix);
+  const apps::LawBook book(scene.stones, scene.binder, mix);
+  book.check(scene.source);
+  if (options.check) return;
+
+  const double began = apps::wall_clock();
+  apps::claim_folder(options.folder);
+  apps::with_law(book, [&]<class Law>() {
+    apps::Recorder recorder(options.folder + "/results.h5",
+                            apps::provenance("gyratory", options, scene.source.text, scene.run.seed),
+                            apps::GyratoryRun<Law>::columns());
+    apps::Progress progress(std::cout, isatty(STDOUT_FILENO), options.quiet);
+    apps::GyratoryRun<Law> run(scene, mix, book, machine);
+    run.fill(progress);
+    progress.finish();
+    run.close();
+    recorder.write("/mould/diameter", std::array{2 * machine.mould_radius}, "m");
+    recorder.write("/stones/radius", mix.radius, "m");
+    apps::Progress compaction(std::cout, isatty(STDOUT_FILENO), options.quiet);
+    run.compact(recorder, options.folder, compaction);
+    apps::write_summary(options.folder + "/summary.json",
+                        run.findings(apps::wall_clock() - began));
+  });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return apps::run_program(argc, argv,
+                           "Gyratory compaction of hot asphalt mix in a steel mould (DEM + FE).",
+                           compact);
+}

@@ -1,0 +1,144 @@
+#include "apps/scene_manual.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "apps/sections.h"
+
+namespace apps {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string comment(const std::string& text) {
+  std::string commented = "# ";
+  for (const char letter : text) commented += letter == '\n' ? "\n# " : std::string(1, letter);
+  return commented + '\n';
+}
+
+std::string default_or_example(const Parameter& parameter, const UnitSystem& units) {
+  if (parameter.presence.need == Need::has_default) return as_toml(parameter, units);
+  return parameter.presence.example;
+}
+
+// The meaning, what values it takes, and where the number is from.
+std::string explanation(const Parameter& parameter) {
+  std::string text = parameter.meaning;
+  const std::string bounds = bounds_text(parameter);
+  if (!bounds.empty()) text += "; " + bounds;
+  for (const std::string& choice : parameter.choices)
+    text += (&choice == &parameter.choices.front() ? "; " : " or ") + choice;
+  if (parameter.presence.need == Need::required) text += "; required";
+  if (!parameter.source.empty()) text += "\n(" + parameter.source + ")";
+  return text;
+}
+
+template <class Scene>
+std::string manual() {
+  const UnitSystem units;
+  Scene scene;
+  std::string text;
+  for (const Section& section : describe(scene)) {
+    text += (text.empty() ? "" : "\n") + comment(section.meaning) + '[' + section.name + "]\n";
+    for (const Parameter& parameter : section.parameters) {
+      text += comment(explanation(parameter));
+      if (parameter.presence.need == Need::optional) text += "# ";
+      text += parameter.name + " = " + default_or_example(parameter, units) + '\n';
+    }
+  }
+  return text;
+}
+
+Json bounded(const char* type, const Parameter& parameter, const UnitSystem& units) {
+  const auto si = [&](double bound) {
+    return units.convert(bound, parameter.unit.shown, parameter.unit.si).value();
+  };
+  const Bounds& bounds = parameter.bounds;
+  Json number{{"type", type}};
+  if (std::isfinite(bounds.least))
+    number[bounds.least_excluded ? "exclusiveMinimum" : "minimum"] = si(bounds.least);
+  if (std::isfinite(bounds.most))
+    number[bounds.most_excluded ? "exclusiveMaximum" : "maximum"] = si(bounds.most);
+  return number;
+}
+
+// A bare number is in SI; a string holds a number with a unit, which a schema cannot check.
+Json quantity(const Parameter& parameter, const UnitSystem& units) {
+  return {{"anyOf", {bounded("number", parameter, units), {{"type", "string"}}}}};
+}
+
+struct SchemaOf {
+  const Parameter& parameter;
+  const UnitSystem& units;
+
+  Json operator()(const double*) const { return quantity(parameter, units); }
+  Json operator()(const std::optional<double>*) const { return quantity(parameter, units); }
+  Json operator()(const int*) const { return bounded("integer", parameter, units); }
+  Json operator()(const bool*) const { return {{"type", "boolean"}}; }
+  Json operator()(const std::string*) const {
+    if (parameter.choices.empty()) return {{"type", "string"}};
+    return {{"enum", parameter.choices}};
+  }
+  Json operator()(const std::vector<double>*) const {
+    return {{"type", "array"}, {"minItems", 1}, {"items", quantity(parameter, units)}};
+  }
+};
+
+Json closed_object() {
+  return {{"type", "object"}, {"additionalProperties", false}, {"properties", Json::object()}};
+}
+
+// The object of a section, within those of the sections above it.
+Json& object_of(const std::string& section, Json& root) {
+  Json* object = &root;
+  for (std::size_t begin = 0; begin < section.size();) {
+    const std::size_t dot = std::min(section.find('.', begin), section.size());
+    Json& child = (*object)["properties"][section.substr(begin, dot - begin)];
+    if (child.is_null()) child = closed_object();
+    object = &child;
+    begin = dot + 1;
+  }
+  return *object;
+}
+
+template <class Scene>
+std::string schema() {
+  const UnitSystem units;
+  Scene scene;
+  Json root = closed_object();
+  root["$schema"] = "https://json-schema.org/draft/2020-12/schema";
+  for (const Section& section : describe(scene)) {
+    const auto required = [](const Parameter& p) { return p.presence.need == Need::required; };
+    if (!section.drop && std::ranges::any_of(section.parameters, required))
+      root["required"].push_back(section.name);
+    Json& object = object_of(section.name, root);  // valid until root grows again
+    object["description"] = section.meaning;
+    for (const Parameter& parameter : section.parameters) {
+      Json property = std::visit(SchemaOf{parameter, units}, parameter.value);
+      property["description"] = explanation(parameter);
+      if (parameter.presence.need == Need::has_default)
+        property["default"] = Json::parse(as_toml(parameter, units));
+      if (required(parameter)) object["required"].push_back(parameter.name);
+      object["properties"][parameter.name] = property;
+    }
+  }
+  return root.dump(2) + '\n';
+}
+
+}  // namespace
+
+std::string gyratory_scene_manual() {
+  return manual<GyratoryScene>();
+}
+std::string flow_scene_manual() {
+  return manual<FlowTestScene>();
+}
+std::string gyratory_scene_schema() {
+  return schema<GyratoryScene>();
+}
+std::string flow_scene_schema() {
+  return schema<FlowTestScene>();
+}
+
+}  // namespace apps

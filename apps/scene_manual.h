@@ -1,0 +1,16 @@
+// The manual of a scene, printed from the declarations that it is read with.
+#pragma once
+
+#include <string>
+
+namespace apps {
+
+// A complete scene as TOML: every parameter with its default, unit, bounds, meaning and source.
+std::string gyratory_scene_manual();
+std::string flow_scene_manual();
+
+// A JSON Schema (draft 2020-12), with which an editor checks and completes a scene as it is typed.
+std::string gyratory_scene_schema();
+std::string flow_scene_schema();
+
+}  // namespace apps

@@ -1,0 +1,49 @@
+#include "apps/sections.h"
+
+namespace apps {
+namespace {
+
+constexpr Unit second{"s", "s"};
+constexpr const char* ours = "our choice";
+
+}  // namespace
+
+Section describe(NumericsScene& numerics) {
+  return {
+      "numerics",
+      "What trades accuracy for speed.",
+      {{&numerics.mass_scale, "mass_scale", pure, at_least(1),
+        "inertia / true inertia; the weight is never scaled", "Thornton, Antony (1998)"},
+       {&numerics.safety, "safety", pure, above_zero_to(1),
+        "time step / sqrt(m / k) of the stiffest contact", "O'Sullivan, Bray (2004), near 0.17"},
+       {&numerics.largest_overlap, "largest_overlap", pure, above_zero_to(1),
+        "a run stops where stones overlap by this share of the smaller radius", ours}}};
+}
+
+Section describe(OutputScene& output) {
+  return {"output",
+          "What a run writes down, and how often.",
+          {{&output.history_interval, "history_interval", second, positive,
+            "of simulated time between the rows of the histories", ours},
+           {&output.picture_interval, "picture_interval", second, at_least(0),
+            "of simulated time between pictures; 0: only the end", ours}}};
+}
+
+std::vector<Section> describe(GyratoryScene& scene) {
+  Section numerics = describe(scene.numerics);
+  numerics.parameters.push_back(
+      {&scene.numerics.exchange_interval, "exchange_interval", pure, at_least(1),
+       "steps between exchanges with the static modes of the steel", ours});
+  return {describe(scene.run),           describe(scene.stones), describe(scene.stones.fracture),
+          describe(scene.binder),        describe(scene.fill),   describe(scene.mould),
+          describe(scene.mould.elastic), describe(scene.head),   describe(scene.head.elastic),
+          describe(scene.gyration),      std::move(numerics),    describe(scene.output)};
+}
+
+std::vector<Section> describe(FlowTestScene& scene) {
+  return {describe(scene.run),      describe(scene.stones), describe(scene.stones.fracture),
+          describe(scene.binder),   describe(scene.fill),   describe(scene.flow),
+          describe(scene.numerics), describe(scene.output)};
+}
+
+}  // namespace apps

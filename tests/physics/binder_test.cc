@@ -1,0 +1,198 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "tests/physics/binder_laws.h"
+#include "tests/physics/one_contact.h"
+
+namespace dem {
+namespace {
+
+constexpr double r0 = 1.4e-3;  // of two stones of 5.6 mm [m]
+constexpr double deep = 1e-3;  // [m]
+
+OneContact<Binder<2>> contact_of(const Binder<2>& law) {
+  return {law, r0, r0};
+}
+
+// K G0 H of an overlap: the force of a binder that does not relax [N].
+double elastic(const Binder<2>& law, double overlap) {
+  return law.normal_factor * std::sqrt(r0) * law.modulus * odd_power(overlap);
+}
+
+// Largest difference between the recursion and the hereditary integral, / elastic force at `deep`.
+double largest_error(const Binder<2>& law, const std::function<double(double)>& overlap,
+                     double duration, int steps) {
+  auto contact = contact_of(law);
+  contact.move(overlap(0), 0);
+  double worst = 0;
+  for (int k = 1; k <= steps; ++k) {
+    const double time = duration * k / steps;
+    const double force = contact.move(overlap(time), duration / steps).push;
+    const double exact = law.normal_factor * std::sqrt(r0) * law.modulus *
+                         lee_radok(law, overlap, time, odd_power(deep));
+    worst = std::max(worst, std::abs(force - exact) / elastic(law, deep));
+  }
+  return worst;
+}
+
+TEST(binder, a_step_of_overlap_relaxes_as_the_modulus) {
+  // Closed form: F = K G(t) h^1.5 (Lee & Radok 1960). Exact but for rounding.
+  for (const double phi : {0.25, 0.43, 1.0}) {
+    const Binder<2> law = hot_binder(phi);
+    auto contact = contact_of(law);
+    EXPECT_NEAR(contact.move(deep, 0).push / elastic(law, deep), 1, 1e-12);
+    double time = 0;
+    for (const double dt : {1e-6, 1e-3, 0.05, 1.0, 20.0, 500.0, 1e-4}) {
+      time += dt;
+      EXPECT_NEAR(contact.move(deep, dt).push / elastic(law, deep), relaxation(law, time), 1e-12);
+    }
+  }
+}
+
+TEST(binder, a_step_at_a_wall_is_twice_that_of_a_pair) {
+  // Closed form: K = 16/3 sqrt(R) against 8/3 sqrt(R0), as one of the two bodies is rigid.
+  Binder<2> wall = hot_binder(1);
+  wall.normal_factor = wall_factor;
+  auto at_wall = contact_of(wall), of_pair = contact_of(hot_binder(1));
+  for (int k = 1; k < 50; ++k) {
+    const double h = deep * k / 50;
+    EXPECT_NEAR(at_wall.move(h, 0.01).push / of_pair.move(h, 0.01).push, 2, 1e-12);
+  }
+}
+
+TEST(binder, the_first_touch_answers_with_the_whole_modulus) {
+  // Closed form: F = 8/3 sqrt(R0) G0 h^1.5, 20.98 N at h = 1 mm, R0 = 1.4 mm, G0 = 6.65 MPa.
+  EXPECT_NEAR(contact_of(hot_binder(0.43)).move(deep, 0).push, 20.983, 0.001);
+}
+
+TEST(binder, a_ramp_ends_at_the_force_of_the_hereditary_integral) {
+  // References: adaptive quadrature, F / (K G0 H) at the end of a ramp to 1 mm, given to 5 digits;
+  // second order in the step, so 400 steps err by less than the last digit.
+  const double duration[] = {0.05, 0.2, 1, 20};
+  const double reference[] = {0.90625, 0.74044, 0.55446, 0.45575};
+  const Binder<2> law = hot_binder(1);
+  for (int k = 0; k < 4; ++k) {
+    auto contact = contact_of(law);
+    double force = 0;
+    for (int n = 1; n <= 400; ++n) force = contact.move(deep * n / 400, duration[k] / 400).push;
+    EXPECT_NEAR(force / elastic(law, deep), reference[k], 1e-5);
+  }
+}
+
+// Of the force at the end of a ramp to 1 mm [-].
+double ramp_error(double duration, int steps) {
+  const Binder<2> law = hot_binder(1);
+  const auto ramp = [&](double t) { return deep * t / duration; };
+  auto contact = contact_of(law);
+  double force = 0;
+  for (int n = 1; n <= steps; ++n) force = contact.move(deep * n / steps, duration / steps).push;
+  const double exact = lee_radok(law, ramp, duration, odd_power(deep)) / odd_power(deep);
+  return std::abs(force / elastic(law, deep) / exact - 1);
+}
+
+TEST(binder, a_ramp_of_100_steps_is_right_to_a_hundred_thousandth) {
+  // Reference: the hereditary integral by adaptive quadrature. The recursion is exact for h^1.5
+  // piecewise linear; h itself is linear here, hence a second order error.
+  for (const double duration : {0.05, 0.2, 1.0, 20.0}) {std::printf("ramp %g %g order %g\n",duration,ramp_error(duration,100),std::log2(ramp_error(duration, 100) / ramp_error(duration, 200)));EXPECT_LT(ramp_error(duration, 100), 1e-5);}
+}
+
+TEST(binder, halving_the_step_of_a_ramp_quarters_the_error) {
+  // Reference: adaptive quadrature; order 2 in the step. The curvature of h^1.5 is infinite at the
+  // start, which leaves the observed order short of 2 by a few hundredths.
+  for (const double duration : {0.05, 0.2, 1.0, 20.0})
+    EXPECT_NEAR(std::log2(ramp_error(duration, 100) / ramp_error(duration, 200)), 2, 0.1);
+}
+
+TEST(binder, an_oscillation_is_followed_in_modulus_and_phase) {
+  // Reference: adaptive quadrature under h = 0.5 mm (1 - cos wt), from fast to slow against tau_1,
+  // bonded without limit; 100 steps a period, 4 periods. Second order.
+  const Binder<2> law = hot_binder(0.43, 1e9);
+  for (const double period : {0.05, 0.5, 5.0}) {
+    const auto wave = [&](double t) {
+      return 0.5 * deep * (1 - std::cos(2 * std::numbers::pi * t / period));
+    };
+    const double coarse = largest_error(law, wave, 4 * period, 400);
+    std::printf("osc %g %g\n",period,coarse);EXPECT_LT(coarse, 1e-4);
+    EXPECT_LT(largest_error(law, wave, 4 * period, 800), 0.3 * coarse);
+  }
+}
+
+TEST(binder, unloading_follows_the_hereditary_integral_into_tension) {
+  // Reference: adaptive quadrature of a triangle h(t) of rise time tm, bonded without limit.
+  for (const double phi : {0.25, 0.43, 1.0})
+    for (const double rise : {0.1, 0.5}) {
+      const auto triangle = [&](double t) { return deep * (1 - std::abs(1 - t / rise)); };
+      EXPECT_LT(largest_error(hot_binder(phi, 1e9), triangle, 2.2 * rise, 440), 1e-5);
+    }
+}
+
+TEST(binder, the_spurious_tension_of_lee_and_radok_is_as_large_as_known) {
+  // Reference: quadrature with phi = 1, 150 degC, triangle of rise time tm: F turns tensile at
+  // 1.64 and 1.66 tm, and falls to -0.19 and -0.10 of its maximum for tm = 0.1 s and 0.5 s, given
+  // to two digits.
+  const double rise[] = {0.1, 0.5}, turn[] = {1.64, 1.66}, least[] = {-0.19, -0.10};
+  for (int k = 0; k < 2; ++k) {
+    auto contact = contact_of(hot_binder(1, 1e9));
+    double most = 0, lowest = 0, turned = 0;
+    for (int n = 1; n <= 1000; ++n) {
+      const double t = rise[k] * n / 500;
+      const double force = contact.move(deep * (1 - std::abs(1 - t / rise[k])), rise[k] / 500).push;
+      most = std::max(most, force);
+      lowest = std::min(lowest, force);
+      if (force < 0 && turned == 0) turned = t / rise[k];
+    }
+    EXPECT_NEAR(turned, turn[k], 0.006);
+    EXPECT_NEAR(lowest / most, least[k], 0.006);
+  }
+}
+
+TEST(binder, a_change_of_step_in_mid_run_does_no_harm) {
+  // Reference: adaptive quadrature of a ramp, a rest and a retreat taken with steps that jump by
+  // factors of 1000; the largest step, 1/100 of a ramp, sets the accuracy.
+  const Binder<2> law = hot_binder(0.43, 1e9);
+  const auto overlap = [](double t) {
+    return deep * (std::min(t, 0.2) - 0.5 * std::max(0.0, t - 0.5)) / 0.2;
+  };
+  auto contact = contact_of(law);
+  double time = 0;
+  for (int n = 0; time < 0.7; ++n) {
+    const double dt = n % 3 == 0 ? 2e-3 : n % 3 == 1 ? 2e-6 : 1e-4;
+    time += dt;
+    const double force = contact.move(overlap(time), dt).push;
+    if (n % 20) continue;
+    const double exact = law.normal_factor * std::sqrt(r0) * law.modulus *
+                         lee_radok(law, overlap, time, odd_power(deep));
+    EXPECT_NEAR(force / elastic(law, deep), exact / elastic(law, deep), 1e-5);
+  }
+}
+
+TEST(binder, fast_loading_is_glassy_and_slow_loading_relaxed) {
+  // Closed form: F / (K H) -> G0 for dt << tau_i, -> G0 (1 - sum A_i) for dt >> tau_i; the rest is
+  // of order duration / tau_1 and tau_2 / duration.
+  const Binder<2> law = hot_binder(0.43);
+  const auto end_of_ramp = [&](double duration) {
+    auto contact = contact_of(law);
+    double force = 0;
+    for (int n = 1; n <= 100; ++n) force = contact.move(deep * n / 100, duration / 100).push;
+    return force / elastic(law, deep);
+  };
+  EXPECT_NEAR(end_of_ramp(1e-8), 1, 1e-7);
+  EXPECT_NEAR(end_of_ramp(1e10), 1 - 0.43, 1e-7);
+}
+
+TEST(binder, a_pair_that_never_touched_feels_nothing) {
+  // From the definition of a bond: shells stick only after they were pressed.
+  auto contact = contact_of(hot_binder(0.43, 1e4));
+  for (const double gap : {1e-3, 1e-4, 1e-6}) {
+    EXPECT_EQ(contact.move(-gap, 1e-3).push, 0);
+    EXPECT_FALSE(contact.held());
+  }
+  EXPECT_NEAR(contact.move(deep, 0).push / elastic(hot_binder(1), deep), 1, 1e-12);
+}
+
+}  // namespace
+}  // namespace dem
