@@ -17,6 +17,7 @@ void press(const apps::Options& options) {
   apps::check_box(scene, mix);
   if (options.check) return;
 
+  apps::use_threads(options, scene.stones.count);
   const double began = apps::wall_clock();
   apps::claim_folder(options.folder);
   apps::with_law(book, [&]<class Law>() {

@@ -16,6 +16,7 @@ void compact(const apps::Options& options) {
   book.check(scene.source);
   if (options.check) return;
 
+  apps::use_threads(options, scene.stones.count);
   const double began = apps::wall_clock();
   apps::claim_folder(options.folder);
   apps::with_law(book, [&]<class Law>() {

@@ -116,7 +116,7 @@ void GyratoryRun<Law>::close() {
     head_mass_ = rigid_head_mass(scene_.head, machine_);
   }
   const GyrationScene& gyration = scene_.gyration;
-  const dem::Ram ram = {head_mass_ * scene_.numerics.mass_scale,
+  const dem::Ram ram = {head_mass_ * scene_.numerics.head_mass_scale,
                         head_mass_ * 9.81,
                         gyration.pressure * machine_.section,
                         closed_at_,

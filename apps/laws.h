@@ -101,7 +101,9 @@ struct LawBook::Make<dem::Binder<Terms>> {
     }
     law.normal_factor = counterpart.wall ? 16.0 / 3.0 : 8.0 / 3.0;
     law.film = (counterpart.wall ? 1 : 2) * book.shell_;
-    law.bond.energy = bonds ? binder.bond_energy : 0;
+    const bool bonding = bonds && (!counterpart.wall || binder.wall_bonds);
+    law.bond.energy = bonding ? binder.bond_energy : 0;
+    if (counterpart.wall) law.friction = counterpart.friction;
     return law;
   }
 };

@@ -4,6 +4,7 @@
 #include <omp.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 
@@ -32,7 +33,6 @@ int run_program(int argc, char** argv, const std::string& purpose,
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? ok : bad_input;
   }
-  if (options.threads > 0) omp_set_num_threads(options.threads);
   try {
     body(options);
     return ok;
@@ -50,6 +50,11 @@ int run_program(int argc, char** argv, const std::string& purpose,
     std::cerr << error.what() << '\n';
     return output_trouble;
   }
+}
+
+void use_threads(const Options& options, int stones) {
+  const int worthwhile = std::clamp(stones / 1000, 1, omp_get_num_procs());
+  omp_set_num_threads(options.threads > 0 ? options.threads : worthwhile);
 }
 
 void claim_folder(const std::string& folder) {

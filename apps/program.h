@@ -13,7 +13,7 @@ struct Options {
   std::string scene;                   // path of the scene file
   std::vector<std::string> overrides;  // key=value
   std::string folder;                  // --out
-  int threads = 0;                     // 0: as many as OpenMP chooses
+  int threads = 0;                     // 0: as many as are worth their waiting, see use_threads
   bool check = false;                  // read and check the scene, run nothing
   bool quiet = false;
   std::string command_line;
@@ -23,6 +23,10 @@ struct Options {
 // error and an exit status (errors.h; 0 for --help). `purpose` is the line shown by --help.
 int run_program(int argc, char** argv, const std::string& purpose,
                 const std::function<void(const Options&)>& body);
+
+// Sets the number of threads of a run: as asked for, else one per thousand stones, at most one per
+// processor. The results do not depend on it.
+void use_threads(const Options& options, int stones);
 
 // Creates the folder of results; it must not hold a run already. Throws OutputError.
 void claim_folder(const std::string& folder);

@@ -53,6 +53,7 @@ struct BinderScene {
   std::vector<double> alpha;          // [-], sum <= 1, before the bitumen fraction is applied
   std::vector<double> tau;            // [s], as many as alpha
   double bond_energy = 1e4;           // w, work of separation [J/m2]
+  bool wall_bonds = false;            // do shells bond to walls too; false: steel with release agent
 };
 
 struct FillScene {
@@ -115,6 +116,7 @@ struct FlowScene {
 struct NumericsScene {
   double mass_scale = 1e4;       // inertia / true inertia; weight is never scaled [-]
   double safety = 0.2;           // time step / sqrt(m / k) of the stiffest contact [-]
+  double head_mass_scale = 100;  // inertia / true inertia of the head and the modes of the steel
   int exchange_interval = 20;    // steps between exchanges with the static wall modes
   double largest_overlap = 0.5;  // of stones, at which a run stops / smaller radius [-]
 };

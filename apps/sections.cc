@@ -34,6 +34,9 @@ std::vector<Section> describe(GyratoryScene& scene) {
   numerics.parameters.push_back(
       {&scene.numerics.exchange_interval, "exchange_interval", pure, at_least(1),
        "steps between exchanges with the static modes of the steel", ours});
+  numerics.parameters.push_back(
+      {&scene.numerics.head_mass_scale, "head_mass_scale", pure, at_least(1),
+       "inertia / true inertia of the head and of the modes of the steel", ours});
   return {describe(scene.run),           describe(scene.stones), describe(scene.stones.fracture),
           describe(scene.binder),        describe(scene.fill),   describe(scene.mould),
           describe(scene.mould.elastic), describe(scene.head),   describe(scene.head.elastic),

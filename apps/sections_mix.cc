@@ -84,7 +84,9 @@ Section describe(std::optional<BinderScene>& binder) {
            {&binder->tau, "tau", second, positive, "relaxation times, one for each alpha",
             relaxation, optional("[\"0.0948 s\", \"105.9 s\"]")},
            {&binder->bond_energy, "bond_energy", energy_per_area, at_least(0),
-            "work of separating two shells, per area", contact}},
+            "work of separating two shells, per area", contact},
+           {&binder->wall_bonds, "wall_bonds", pure, unbounded,
+            "shells bond to walls as to each other; false: steel with release agent", ours}},
           [&binder] { binder.reset(); }};
 }
 

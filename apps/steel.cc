@@ -42,7 +42,7 @@ SteelPart::SteelPart(const ElasticMouldScene& scene, const Machine& machine,
 void SteelPart::couple(int modes, const NumericsScene& numerics, dem::Wall& wall) {
   coupling::ExchangeSettings settings;
   settings.interval = numerics.exchange_interval;
-  settings.inertia_scale = numerics.mass_scale;
+  settings.inertia_scale = numerics.head_mass_scale;
   coupled_.emplace(body_.reduce(modes, coupling::letterbox_points(wall)), wall, settings);
 }
 

@@ -40,12 +40,12 @@ T overlap_ahead(const Contact<T>& contact) {
   return contact.overlap + larger(contact.closing, T(0.0)) * contact.horizon;
 }
 
-// A vector of the contact plane carried along with the contact frame; exact to third order in the
-// rotation angle, then cleared of what left the plane.
+// A vector of the contact plane carried along with the contact frame: turned, right to second order in
+// the rotation angle, then cleared of what left the plane.
 template <class T>
 Vec3<T> carried(const Vec3<T>& v, const Contact<T>& contact) {
-  const Vec3<T>& turn = contact.turn;
-  const Vec3<T> turned = v * (T(1.0) - T(0.5) * dot(turn, turn)) + cross(turn, v);
+  const Vec3<T> arc = cross(contact.turn, v);
+  const Vec3<T> turned = v + arc + T(0.5) * cross(contact.turn, arc);
   return turned - contact.normal * dot(contact.normal, turned);
 }
 

@@ -24,7 +24,8 @@ struct Head {
 
 enum class BaseSupport {
   clamped,  // the ring's lower edge does not move
-  guided,   // the lower edge may slide in its plane (free ends but for rigid motions): for Lame tests
+  guided,   // the lower edge may slide in its plane (free ends but for rigid motions): for Lame
+            // tests
 };
 
 struct Mould {

@@ -83,7 +83,8 @@ std::vector<unsigned> add_rings(Section& section, std::vector<unsigned> inner,
 }
 
 // A disc's middle: a grid of cells x cells quadrilaterals, a square bulged half way to a circle so
-// that no corner is sharp. Returns its border, counter-clockwise. `radius` [m] is that of the circle.
+// that no corner is sharp. Returns its border, counter-clockwise. `radius` [m] is that of the
+// circle.
 std::vector<unsigned> add_core(Section& section, double radius, int cells) {
   constexpr double square = 0.425;  // corners at 1.10, sides at 0.925 of `radius`
   constexpr double circle = 0.5;
@@ -95,7 +96,8 @@ std::vector<unsigned> add_core(Section& section, double radius, int cells) {
     for (int i = 0; i <= cells; ++i) {
       const Point<2> p(at(i), at(j));
       const double length = p.norm();
-      const double bulge = length > 0 ? circle * std::max(std::abs(p[0]), std::abs(p[1])) / length : 0;
+      const double bulge =
+          length > 0 ? circle * std::max(std::abs(p[0]), std::abs(p[1])) / length : 0;
       section.points.push_back(p * (radius * (square + bulge)));
     }
   for (int j = 0; j < cells; ++j)
@@ -137,7 +139,9 @@ void sweep(const Section& section, const std::vector<Sweep>& sweeps,
   mesh.create_triangulation(points, cells, dealii::SubCellData());
 }
 
-double distance_to_axis(const Point<3>& p) { return std::hypot(p[0], p[1]); }
+double distance_to_axis(const Point<3>& p) {
+  return std::hypot(p[0], p[1]);
+}
 
 // Makes every edge that follows a circle of at least `radius` [m] about the axis an arc.
 void round_edges(dealii::Triangulation<3>& mesh, double radius) {
@@ -166,7 +170,9 @@ void mark_boundary(dealii::Triangulation<3>& mesh, IsLoaded is_loaded, IsSupport
     }
 }
 
-int parts(MeshSize size) { return 1 << size.refinement; }
+int parts(MeshSize size) {
+  return 1 << size.refinement;
+}
 
 void require(bool condition, const char* message) {
   if (!condition) throw std::invalid_argument(message);
@@ -226,8 +232,7 @@ void make_mesh(const Head& head, MeshSize size, dealii::Triangulation<3>& mesh) 
   sweep(section,
         {{static_cast<unsigned>(section.points.size()),
           static_cast<unsigned>(section.quadrilaterals.size()), subdivided(layers, parts(size))},
-         {shaft_points, shaft_quadrilaterals,
-          subdivided(levels, parts(size))}},
+         {shaft_points, shaft_quadrilaterals, subdivided(levels, parts(size))}},
         mesh);
   round_edges(mesh, shaft);
   const double margin = 1e-9 * top;
@@ -247,12 +252,15 @@ void make_mesh(const Mould& mould, MeshSize size, dealii::Triangulation<3>& mesh
   const double outer = inner + mould.wall_thickness;
   // Length over which a shell's edge disturbance decays; Timoshenko & Woinowsky-Krieger (1959), 15.
   const double nu = mould.steel.poisson;
-  const double decay = std::sqrt((inner + outer) / 2 * mould.wall_thickness) /
-                       std::pow(3 * (1 - nu * nu), 0.25);
-  const int sectors = 32 * parts(size);
+  const double decay =
+      std::sqrt((inner + outer) / 2 * mould.wall_thickness) / std::pow(3 * (1 - nu * nu), 0.25);
+  const int sectors = 24 * parts(size);
   const double wall = mould.wall_thickness;
-  const Grading across{wall > inner / 3 ? wall / 2 : wall, wall};
+  // One element through a thin wall, more where the stress is far from linear across it.
+  const double slice = wall / std::clamp(std::ceil(std::sqrt(8 * wall / inner)), 1.0, 4.0);
+  const Grading across{slice, slice};
   const double layer = mould.height / std::clamp(std::ceil(mould.height / decay), 6.0, 20.0);
+  const Grading along{std::min(wall / 4, layer), layer};  // small where the base holds the wall
 
   Section section;
   std::vector<unsigned> border(sectors);
@@ -266,7 +274,7 @@ void make_mesh(const Mould& mould, MeshSize size, dealii::Triangulation<3>& mesh
   sweep(section,
         {{static_cast<unsigned>(section.points.size()),
           static_cast<unsigned>(section.quadrilaterals.size()),
-          subdivided(graded(0, mould.height, {layer, layer}), parts(size))}},
+          subdivided(graded(0, mould.height, along), parts(size))}},
         mesh);
   round_edges(mesh, inner);
   const double margin = 1e-9 * mould.height;

@@ -22,24 +22,27 @@ using Sparse = Eigen::SparseMatrix<double>;  // symmetric ones hold their lower 
 
 namespace {
 
-std::vector<int> supported_unknowns(const Head&, const Elements& elements) {
+std::vector<int> all_unknowns_of_support(const Elements& elements) {
   std::vector<int> supported;
   for (const int node : elements.support_nodes)
     for (int direction = 0; direction < 3; ++direction) supported.push_back(3 * node + direction);
   return supported;
 }
 
+std::vector<int> supported_unknowns(const Head&, const Elements& elements) {
+  return all_unknowns_of_support(elements);
+}
+
 // A guided ring slides on its base; three more unknowns, on the inner edge's points on +x, -x and
 // +y, take its rigid motions and nothing else: they see no force if the load is in balance.
 std::vector<int> supported_unknowns(const Mould& mould, const Elements& elements) {
-  if (mould.base == BaseSupport::clamped) return supported_unknowns(Head{}, elements);
+  if (mould.base == BaseSupport::clamped) return all_unknowns_of_support(elements);
   const auto base_node = [&](double x, double y) {
     const Eigen::Vector3d place = Eigen::Vector3d(x, y, 0) * (mould.inner_diameter / 2);
-    return *std::min_element(elements.support_nodes.begin(), elements.support_nodes.end(),
-                             [&](int a, int b) {
-                               return (elements.nodes.col(a) - place).norm() <
-                                      (elements.nodes.col(b) - place).norm();
-                             });
+    return *std::min_element(
+        elements.support_nodes.begin(), elements.support_nodes.end(), [&](int a, int b) {
+          return (elements.nodes.col(a) - place).norm() < (elements.nodes.col(b) - place).norm();
+        });
   };
   std::vector<int> supported = {3 * base_node(1, 0) + 1, 3 * base_node(-1, 0) + 1,
                                 3 * base_node(0, 1)};
@@ -114,10 +117,18 @@ ElasticBody::~ElasticBody() = default;
 ElasticBody::ElasticBody(ElasticBody&&) noexcept = default;
 ElasticBody& ElasticBody::operator=(ElasticBody&&) noexcept = default;
 
-int ElasticBody::unknowns() const { return static_cast<int>(implementation_->stiffness.rows()); }
-double ElasticBody::mass() const { return implementation_->mass(); }
-const Matrix3Xd& ElasticBody::nodes() const { return implementation_->elements.nodes; }
-const CellMesh& ElasticBody::cells() const { return implementation_->cells; }
+int ElasticBody::unknowns() const {
+  return static_cast<int>(implementation_->stiffness.rows());
+}
+double ElasticBody::mass() const {
+  return implementation_->mass();
+}
+const Matrix3Xd& ElasticBody::nodes() const {
+  return implementation_->elements.nodes;
+}
+const CellMesh& ElasticBody::cells() const {
+  return implementation_->cells;
+}
 
 VectorXd ElasticBody::face_load(const Traction& traction) const {
   const auto& face = implementation_->face;
@@ -130,7 +141,9 @@ VectorXd ElasticBody::point_load(const Eigen::Vector3d& point, const Eigen::Vect
   return face.on_body(force * weight.transpose(), unknowns());
 }
 
-MatrixXd ElasticBody::solve(const MatrixXd& loads) const { return implementation_->solve(loads); }
+MatrixXd ElasticBody::solve(const MatrixXd& loads) const {
+  return implementation_->solve(loads);
+}
 
 Eigen::Matrix<double, 6, 1> ElasticBody::reaction(const VectorXd& displacement,
                                                   const VectorXd& load) const {
@@ -156,9 +169,10 @@ FaceMotion ElasticBody::face_motion(const VectorXd& displacement) const {
   MatrixXd plane(places.cols(), 3);  // u_z = plane * (axial, tilt_x, tilt_y)
   plane << VectorXd::Ones(places.cols()), places.row(1).transpose(), -places.row(0).transpose();
   const MatrixXd weighted = plane.transpose() * body.face.mass();
-  const Eigen::Vector3d fit = (weighted * plane)
-                                  .ldlt()
-                                  .solve(weighted * body.face.of_body(displacement).row(2).transpose());
+  const Eigen::Vector3d fit =
+      (weighted * plane)
+          .ldlt()
+          .solve(weighted * body.face.of_body(displacement).row(2).transpose());
   return {fit[1], fit[2], fit[0]};
 }
 

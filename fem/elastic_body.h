@@ -1,9 +1,9 @@
 // Linear, static, small-displacement elasticity of one steel body in its own frame:
 // meshed once, assembled once, factorised once. No deal.II type leaves this room.
 //
-// Unknowns are nodal displacements (quadratic elements by default); vectors over the whole body have
-// `unknowns()` entries, in the order of `nodes()`: (x, y, z) of node 0, of node 1, ...
-// Calls on one body must not overlap in time: the factor keeps its workspace.
+// Unknowns are nodal displacements (quadratic elements by default); vectors over the whole body
+// have `unknowns()` entries, in the order of `nodes()`: (x, y, z) of node 0, of node 1, ... Calls
+// on one body must not overlap in time: the factor keeps its workspace.
 #pragma once
 
 #include <Eigen/Dense>
@@ -23,9 +23,9 @@ struct MeshSize {
 
 // A body as cells for pictures: 8-node hexahedra in VTK order over `points`.
 struct CellMesh {
-  Eigen::Matrix3Xd points;      // (3, points) [m], body frame
-  std::vector<int> hexahedra;   // 8 per cell
-  std::vector<int> node;        // (points) which node of the body each point is
+  Eigen::Matrix3Xd points;     // (3, points) [m], body frame
+  std::vector<int> hexahedra;  // 8 per cell
+  std::vector<int> node;       // (points) which node of the body each point is
 };
 
 // Stress at the cell-mesh points, Voigt order xx, yy, zz, yz, zx, xy [Pa], tension positive.
@@ -40,7 +40,8 @@ struct FaceMotion {
 
 class ElasticBody {
  public:
-  using Traction = std::function<Eigen::Vector3d(const Eigen::Vector3d&)>;  // at a point [m] -> [Pa]
+  using Traction =
+      std::function<Eigen::Vector3d(const Eigen::Vector3d&)>;  // at a point [m] -> [Pa]
 
   // Throws std::invalid_argument where the lengths or the steel do not describe a body.
   ElasticBody(const Head& head, MeshSize mesh);

@@ -12,15 +12,16 @@ using ElasticityMatrix = Eigen::Matrix<double, 6, 6>;             // [Pa]
 using StrainOperator = Eigen::Matrix<double, 6, Eigen::Dynamic>;  // [1/m]
 
 inline ElasticityMatrix elasticity_matrix(const Steel& steel) {
-  const double shear = steel.young / (2 * (1 + steel.poisson));                       // [Pa]
-  const double lame = 2 * shear * steel.poisson / (1 - 2 * steel.poisson);            // [Pa]
+  const double shear = steel.young / (2 * (1 + steel.poisson));             // [Pa]
+  const double lame = 2 * shear * steel.poisson / (1 - 2 * steel.poisson);  // [Pa]
   ElasticityMatrix matrix = ElasticityMatrix::Zero();
   matrix.topLeftCorner<3, 3>().setConstant(lame);
   matrix.diagonal() << lame + 2 * shear, lame + 2 * shear, lame + 2 * shear, shear, shear, shear;
   return matrix;
 }
 
-// Strains from nodal displacements (x, y, z of node 0, of node 1, ...); `gradient` (3, nodes) [1/m].
+// Strains from nodal displacements (x, y, z of node 0, of node 1, ...); `gradient` (3, nodes)
+// [1/m].
 template <typename Gradient>
 StrainOperator strain_operator(const Gradient& gradient) {
   StrainOperator strain = StrainOperator::Zero(6, 3 * gradient.cols());

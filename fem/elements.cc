@@ -15,10 +15,13 @@ namespace {
 
 constexpr int geometry_degree = 2;
 
-Eigen::Vector3d to_eigen(const dealii::Tensor<1, 3>& v) { return {v[0], v[1], v[2]}; }
+Eigen::Vector3d to_eigen(const dealii::Tensor<1, 3>& v) {
+  return {v[0], v[1], v[2]};
+}
 
 // Local numbers, in a hexahedron of (degree + 1)^3 points, of the points of one of its faces.
-// Faces as deal.II numbers them: 0, 1 at the ends of the first local coordinate, 2, 3 of the second.
+// Faces as deal.II numbers them: 0, 1 at the ends of the first local coordinate, 2, 3 of the
+// second.
 std::vector<int> face_points(int degree, unsigned face) {
   const int side = degree + 1;
   const int stride[3] = {1, side, side * side};
@@ -40,8 +43,10 @@ GaussPoints evaluate(const dealii::DoFHandler<3>& space, const dealii::Mapping<3
   const auto points = static_cast<Eigen::Index>(quadrature.size());
   const Eigen::Index cells = space.get_triangulation().n_active_cells();
 
-  GaussPoints gauss{static_cast<int>(points), Eigen::MatrixXd(nodes, points),
-                    Eigen::VectorXd(cells * points), {}};
+  GaussPoints gauss{static_cast<int>(points),
+                    Eigen::MatrixXd(nodes, points),
+                    Eigen::VectorXd(cells * points),
+                    {}};
   if (gradients) gauss.gradient.resize(3, cells * points * nodes);
   Eigen::Index at = 0;
   for (const auto& cell : space.active_cell_iterators()) {
@@ -50,7 +55,8 @@ GaussPoints evaluate(const dealii::DoFHandler<3>& space, const dealii::Mapping<3
       gauss.weight[at] = shapes.JxW(q);
       for (Eigen::Index a = 0; a < nodes; ++a) {
         gauss.value(a, q) = shapes.shape_value(local[a], q);
-        if (gradients) gauss.gradient.col(at * nodes + a) = to_eigen(shapes.shape_grad(local[a], q));
+        if (gradients)
+          gauss.gradient.col(at * nodes + a) = to_eigen(shapes.shape_grad(local[a], q));
       }
     }
   }
@@ -78,8 +84,8 @@ Elements tabulate(const dealii::Triangulation<3>& mesh, int degree, int around) 
     const auto first = elements.node.size();
     for (const unsigned i : local) {
       elements.node.push_back(static_cast<int>(dofs[i]));
-      elements.nodes.col(dofs[i]) = to_eigen(
-          mapping.transform_unit_to_real_cell(cell, shape.get_unit_support_points()[i]));
+      elements.nodes.col(dofs[i]) =
+          to_eigen(mapping.transform_unit_to_real_cell(cell, shape.get_unit_support_points()[i]));
     }
     for (const unsigned f : cell->face_indices()) {
       if (!cell->face(f)->at_boundary()) continue;
@@ -105,8 +111,8 @@ Elements tabulate(const dealii::Triangulation<3>& mesh, int degree, int around) 
   const auto at = [&](const dealii::Quadrature<3>& quadrature, dealii::UpdateFlags gradients) {
     return evaluate(space, mapping, local, quadrature, gradients);
   };
-  elements.elastic = at(dealii::QAnisotropic<3>(full, dealii::QGauss<1>(around), full),
-                        dealii::update_gradients);
+  elements.elastic =
+      at(dealii::QAnisotropic<3>(full, dealii::QGauss<1>(around), full), dealii::update_gradients);
   elements.inertial = at(dealii::Quadrature<3>(full), dealii::update_default);
   elements.superconvergent = at(dealii::Quadrature<3>(reduced), dealii::update_gradients);
   return elements;

@@ -2,13 +2,14 @@
 // functions, written down once so that nothing else in this room has to ask again.
 //
 // Displacements are Lagrange polynomials of degree 1 or 2 on hexahedra whose geometry is quadratic,
-// so that the round surfaces are round: a 15 degree arc is met to 4e-6 of its radius.
-// A mould's stiffness is integrated with two Gauss points around the circle and degree + 1 along the
-// other sides: with three around, a quadratic element that is curved cannot bend without stretching
-// and a 7.5 mm wall of 24 elements goes oval 5 % too little (membrane locking; Stolarski & Belytschko
-// 1982). Two points keep the rank, since no quadratic has zero slope at both, and integrate
-// constant stresses exactly, since every term of (shape gradient x volume) is cubic around the circle.
-// Inside an element, and inside a face, nodes are numbered with the first local coordinate fastest.
+// so that the round surfaces are round: an arc of 15 degrees is met to 7e-6 of its radius, one of
+// 30 degrees to 1.1e-4. A mould's stiffness is integrated with two Gauss points around the circle
+// and degree + 1 along the other sides: with three around, a quadratic element that is curved
+// cannot bend without stretching and a 7.5 mm wall of 24 elements goes oval 5 % too little
+// (membrane locking; Stolarski & Belytschko 1982). Two points keep the rank, since no quadratic has
+// zero slope at both, and integrate constant stresses exactly, since every term of (shape gradient
+// x volume) is cubic around the circle. Inside an element, and inside a face, nodes are numbered
+// with the first local coordinate fastest.
 #pragma once
 
 #include <Eigen/Dense>
@@ -22,8 +23,8 @@ namespace fem {
 // Shape functions at the Gauss points of every element.
 struct GaussPoints {
   int per_element;
-  Eigen::MatrixXd value;     // (nodes per element, per_element) [-], the same in every element
-  Eigen::VectorXd weight;    // (elements * per_element) volume of each Gauss point [m3]
+  Eigen::MatrixXd value;      // (nodes per element, per_element) [-], the same in every element
+  Eigen::VectorXd weight;     // (elements * per_element) volume of each Gauss point [m3]
   Eigen::Matrix3Xd gradient;  // one column per (element, Gauss point, node of the element) [1/m]
 
   auto gradient_at(int element, int point) const {

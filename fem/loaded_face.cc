@@ -71,8 +71,8 @@ LoadedFace::LoadedFace(const FaceTable& table)
   std::sort(nodes_.begin(), nodes_.end());
   nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
   for (const int node : table.node)
-    face_node_.push_back(static_cast<int>(
-        std::lower_bound(nodes_.begin(), nodes_.end(), node) - nodes_.begin()));
+    face_node_.push_back(
+        static_cast<int>(std::lower_bound(nodes_.begin(), nodes_.end(), node) - nodes_.begin()));
 
   // Nodes of degree 1 are every other point of the geometry, in both directions.
   const int skip = 2 / degree_;
@@ -93,11 +93,12 @@ LoadedFace::LoadedFace(const FaceTable& table)
   }
 
   std::vector<Eigen::Triplet<double>> triplets;
-  for_each_gauss_point([&](const int* node, const Eigen::VectorXd& shape, const auto&, double area) {
-    for (Index j = 0; j < shape.size(); ++j)
-      for (Index i = 0; i < shape.size(); ++i)
-        triplets.emplace_back(node[i], node[j], area * (shape[i] * shape[j]));
-  });
+  for_each_gauss_point(
+      [&](const int* node, const Eigen::VectorXd& shape, const auto&, double area) {
+        for (Index j = 0; j < shape.size(); ++j)
+          for (Index i = 0; i < shape.size(); ++i)
+            triplets.emplace_back(node[i], node[j], area * (shape[i] * shape[j]));
+      });
   mass_.resize(nodes_.size(), nodes_.size());
   mass_.setFromTriplets(triplets.begin(), triplets.end());
 }
@@ -131,12 +132,15 @@ LoadedFace::Place LoadedFace::nearest_in(Index quadrilateral, const Eigen::Vecto
   Eigen::Vector2d at(0.5, 0.5);
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
     const Eigen::Vector3d gap = point - surface * shapes(2, at);
-    Eigen::Matrix<double, 3, 2> tangents = surface * geometry_slopes(at);
-    for (int i = 0; i < 2; ++i) {
-      const double pull = tangents.col(i).dot(gap);
-      if ((at[i] == 0 && pull < 0) || (at[i] == 1 && pull > 0)) tangents.col(i).setZero();
-    }
-    const Eigen::Vector2d step = tangents.completeOrthogonalDecomposition().solve(gap);
+    const Eigen::Matrix<double, 3, 2> tangents = surface * geometry_slopes(at);
+    Eigen::Matrix2d metric = tangents.transpose() * tangents;
+    Eigen::Vector2d pull = tangents.transpose() * gap;
+    for (int i = 0; i < 2; ++i)
+      if ((at[i] == 0 && pull[i] < 0) || (at[i] == 1 && pull[i] > 0)) {
+        metric(0, 1) = metric(1, 0) = 0;
+        pull[i] = 0;
+      }
+    const Eigen::Vector2d step = metric.inverse() * pull;
     const Eigen::Vector2d next = (at + step).cwiseMax(0.0).cwiseMin(1.0);
     const double change = (next - at).cwiseAbs().maxCoeff();
     at = next;

@@ -15,8 +15,8 @@ class LoadedFace {
  public:
   explicit LoadedFace(const FaceTable& table);
 
-  const std::vector<int>& nodes() const { return nodes_; }  // body nodes, ascending
-  const Eigen::Matrix3Xd& places() const { return places_; }  // of these nodes [m]
+  const std::vector<int>& nodes() const { return nodes_; }           // body nodes, ascending
+  const Eigen::Matrix3Xd& places() const { return places_; }         // of these nodes [m]
   const Eigen::SparseMatrix<double>& mass() const { return mass_; }  // (face nodes)^2 [m2]
   double area() const { return mass_.sum(); }  // [m2]; the shape functions sum to one
 
@@ -49,13 +49,13 @@ class LoadedFace {
   void for_each_gauss_point(Visit visit) const;
 
   int degree_;
-  int per_quadrilateral_;         // nodes
+  int per_quadrilateral_;  // nodes
   std::vector<int> nodes_;
   Eigen::Matrix3Xd places_;
-  std::vector<int> face_node_;    // (per_quadrilateral_ each) index into nodes_
-  Eigen::Matrix3Xd geometry_;     // (3, 9 each) [m]
-  Eigen::Matrix3Xd centre_;       // (3, quadrilaterals) [m]
-  Eigen::VectorXd reach_;         // radius about the centre that holds the quadrilateral [m]
+  std::vector<int> face_node_;  // (per_quadrilateral_ each) index into nodes_
+  Eigen::Matrix3Xd geometry_;   // (3, 9 each) [m]
+  Eigen::Matrix3Xd centre_;     // (3, quadrilaterals) [m]
+  Eigen::VectorXd reach_;       // radius about the centre that holds the quadrilateral [m]
   Eigen::SparseMatrix<double> mass_;
 };
 

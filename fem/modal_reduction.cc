@@ -49,9 +49,8 @@ double deterministic_sign(const VectorXd& shape) {
 
 }  // namespace
 
-ReducedBody modal_reduction(const LoadedFace& face, const Sparse& mass,
-                            const StaticSolution& solve, Truncation truncation,
-                            const Matrix3Xd& points) {
+ReducedBody modal_reduction(const LoadedFace& face, const Sparse& mass, const StaticSolution& solve,
+                            Truncation truncation, const Matrix3Xd& points) {
   const Index unknowns = 3 * mass.rows();
   const Sparse face_mass = in_three_directions(face.mass());
   const auto body_loads = [&](const MatrixXd& forces) {
@@ -68,15 +67,15 @@ ReducedBody modal_reduction(const LoadedFace& face, const Sparse& mass,
   };
   const std::vector<Index> reference = unknowns_on_x(face);
 
-  const SteklovModes steklov = steklov_modes(
-      [&](const MatrixXd& forces) { return on_face(solve(body_loads(forces))); }, face_mass,
-      truncation, reference);
+  const SteklovModes steklov =
+      steklov_modes([&](const MatrixXd& forces) { return on_face(solve(body_loads(forces))); },
+                    face_mass, truncation, reference);
   const Index modes = steklov.shape.cols();
   const VectorXd kept = steklov.compliance.head(modes);
 
   // The whole body's displacement that belongs to each face shape: s K^-1 M_G shape.
-  const MatrixXd lifted = solve(body_loads(face_mass * steklov.shape)) *
-                          kept.cwiseInverse().asDiagonal();
+  const MatrixXd lifted =
+      solve(body_loads(face_mass * steklov.shape)) * kept.cwiseInverse().asDiagonal();
   // In these shapes the stiffness is diagonal already.
   const MatrixXd ritz_stiffness = kept.cwiseInverse().asDiagonal();
   const Sparse body_mass = in_three_directions(mass);
@@ -109,8 +108,7 @@ ReducedBody modal_reduction(const LoadedFace& face, const Sparse& mass,
   const Sparse weights = face.interpolation(points);
   reduced.shape.resize(3 * points.cols(), modes);
   for (Index m = 0; m < modes; ++m)
-    reduced.shape.col(m) =
-        (face.of_body(reduced.full_shape.col(m)) * weights).reshaped();
+    reduced.shape.col(m) = (face.of_body(reduced.full_shape.col(m)) * weights).reshaped();
   return reduced;
 }
 

@@ -13,7 +13,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr Index block_size = 8;
-constexpr double converged = 1e-8;  // residual over compliance [-]
+constexpr double converged = 1e-8;   // residual over compliance [-]
 constexpr double dependent = 1e-14;  // squared length left of a unit direction that is none [-]
 
 // Starting directions without symmetry, so that no mode is missed: fractional parts of multiples of
@@ -104,10 +104,12 @@ Index kept_modes(const VectorXd& value, Truncation truncation) {
 
 void orient_equal_modes(const VectorXd& value, const std::vector<Index>& reference,
                         MatrixXd& shape) {
-  constexpr double equal = 1e-8;  // relative; above rounding, below differences that a shape notices
+  constexpr double equal =
+      1e-8;  // relative; above rounding, below differences that a shape notices
   for (Index first = 0, last; first < shape.cols(); first = last) {
     last = first + 1;
-    while (last < shape.cols() && std::abs(value[last] - value[first]) < equal * std::abs(value[first]))
+    while (last < shape.cols() &&
+           std::abs(value[last] - value[first]) < equal * std::abs(value[first]))
       ++last;
     if (last - first == 1) continue;
     auto cluster = shape.middleCols(first, last - first);
@@ -138,8 +140,8 @@ SteklovModes steklov_modes(const FaceCompliance& compliance,
     kept = kept_modes(krylov.value, truncation);
     const Index wanted = kept + 1;
     found = wanted <= krylov.value.size() &&
-            (krylov.residual.head(wanted).array() <
-             converged * krylov.value.head(wanted).array()).all();
+            (krylov.residual.head(wanted).array() < converged * krylov.value.head(wanted).array())
+                .all();
   }
   SteklovModes modes{krylov.value.head(kept + 1), krylov.vectors(kept + 1)};
   orient_equal_modes(modes.compliance, reference, modes.shape);

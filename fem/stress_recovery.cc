@@ -10,7 +10,8 @@ namespace {
 // Weights (Gauss points a side, nodes a side) of the polynomial through the Gauss points of [0, 1].
 Eigen::MatrixXd extrapolation(int degree) {
   if (degree == 1) return Eigen::RowVector2d::Ones();
-  const double gauss = std::sqrt(3.0);  // nodes at 0, 1/2, 1 lie at -sqrt(3), 0, sqrt(3) of the points
+  const double gauss =
+      std::sqrt(3.0);  // nodes at 0, 1/2, 1 lie at -sqrt(3), 0, sqrt(3) of the points
   Eigen::MatrixXd weights(2, 3);
   weights << (1 + gauss) / 2, 0.5, (1 - gauss) / 2,  //
       (1 - gauss) / 2, 0.5, (1 + gauss) / 2;
@@ -24,8 +25,7 @@ Eigen::MatrixXd extrapolation_in_space(int degree) {
   Eigen::MatrixXd weights(points * points * points, nodes * nodes * nodes);
   for (Eigen::Index p = 0; p < weights.rows(); ++p)
     for (Eigen::Index n = 0; n < weights.cols(); ++n)
-      weights(p, n) = line(p % points, n % nodes) *
-                      line(p / points % points, n / nodes % nodes) *
+      weights(p, n) = line(p % points, n % nodes) * line(p / points % points, n / nodes % nodes) *
                       line(p / (points * points), n / (nodes * nodes));
   return weights;
 }

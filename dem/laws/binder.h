@@ -5,13 +5,15 @@
 // piecewise linear in time. Once pressed, shells are bonded: below h = 0 the odd extension H = -|h|^1.5
 // carries tension until F = -F_min, where the bond breaks and its history is forgotten. While shells
 // are still pressed the tension is limited to F_min without breaking.
-// Shear: thin film in stick, T = 1/b int G(t-s) A ds with A = pi R0 h; history shrinks with the area, so
-// that a film that has parted carries nothing and a closed cycle creates no energy.
+// Shear: thin film, T = 1/b int G(t-s) A ds with A = pi R0 h, in stick between stones; on a wall it may
+// slip at friction x push. History shrinks with area and slip, so that a film that has parted carries
+// nothing and a closed cycle creates no energy.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -29,6 +31,7 @@ struct Binder {
   double normal_factor;              // K / sqrt(R0): 8/3 for a pair, 16/3 at a rigid wall [-]
   double film;                       // b: 2t for a pair, t at a wall [m]
   Bond bond;
+  double friction = std::numeric_limits<double>::max();  // at which the film slips [-]
 
   // Written by set_time_step.
   double relaxed = 1;                     // g [-]
@@ -95,7 +98,13 @@ struct Binder {
           carried(memory.shear[i], contact) * (kept * T(decay[i])) + slid * T(growth[i]);
       shear += memory.shear[i] * T(weight[i]);
     }
-    const T stress = T(-modulus / film);
+    shear = shear * T(-modulus / film);
+    const T pull = sqrt(dot(shear, shear));
+    const T hold = T(friction) * larger(push, zero);
+    const T stick = select(pull > hold, hold / larger(pull, T(1e-300)), T(1.0));
+    shear = shear * stick;
+    memory.film = memory.film * stick;
+    for (Vec3<T>& transient : memory.shear) transient = transient * stick;
 
     memory.root = root;
     memory.bonded = T(1.0);
@@ -104,7 +113,7 @@ struct Binder {
     const T stiffness =
         larger(T(1.5) * factor * sqrt(ahead),
                T(modulus / film * std::numbers::pi) * contact.outer_radius * ahead);
-    return {push, zero, select(parted, Vec3<T>{zero, zero, zero}, shear * stress), stiffness};
+    return {push, zero, select(parted, Vec3<T>{zero, zero, zero}, shear), stiffness};
   }
 };
 

@@ -1,9 +1,9 @@
 // Elastic normal contact of bare stones: Hertz (1882), F = 4/3 E0 sqrt(R0) d^1.5, with the damping of
-// Tsuji et al. (1992) if the stones have a restitution (Antypov & Elliott 2011: exact for any speed).
+// Tsuji et al. (1992) if the stones have a restitution. Stones never pull: damping ends an impact where
+// it would outweigh the spring.
 #pragma once
 
 #include <cmath>
-#include <numbers>
 
 #include "dem/contact.h"
 
@@ -13,8 +13,8 @@ enum class Damping { none, restitution };
 
 template <Damping damping = Damping::none>
 struct Hertz {
-  double modulus;          // E0, 1/E0 = sum of (1 - nu^2)/E [Pa]
-  double damping_ratio = 0;  // beta = -ln e / sqrt(pi^2 + ln^2 e) [-]
+  double modulus;            // E0, 1/E0 = sum of (1 - nu^2)/E [Pa]
+  double damping_ratio = 0;  // beta, see damping_ratio() [-]
 
   template <class T>
   struct Push {
@@ -29,8 +29,9 @@ struct Hertz {
     const T a = sqrt(contact.stone_radius * d);
     T force = T(4.0 / 3.0 * modulus) * a * d;
     if constexpr (damping == Damping::restitution)
-      force += T(2.0 * std::sqrt(5.0 / 6.0) * damping_ratio) *
-               sqrt(contact.mass * T(2.0 * modulus) * a) * contact.closing;
+      force = larger(force + T(2.0 * std::sqrt(5.0 / 6.0) * damping_ratio) *
+                                 sqrt(contact.mass * T(2.0 * modulus) * a) * contact.closing,
+                     T(0.0));
     return {force, a};
   }
 
@@ -42,10 +43,21 @@ struct Hertz {
   }
 };
 
-// beta of a coefficient of restitution e in (0, 1].
+// beta of a coefficient of restitution e in (0, 1], for impacts of any speed: the root of
+//   -ln e = 2 beta arccos(beta) / sqrt(1 - beta^2)   (beta < 1; arcosh and beta^2 - 1 beyond).
+// Schwager & Poeschel (2007) have it for a linear spring and dashpot that never pull; y = d^(5/4) carries
+// it over to Hertz and Tsuji (Antypov & Elliott 2011).
 inline double damping_ratio(double restitution) {
-  const double log_e = std::log(restitution);
-  return -log_e / std::sqrt(std::numbers::pi * std::numbers::pi + log_e * log_e);
+  const double wanted = -std::log(restitution);
+  const auto loss = [](double beta) {
+    const double root = std::sqrt(std::abs(1 - beta * beta));
+    if (root == 0) return 2.0;
+    return 2 * beta * (beta < 1 ? std::acos(beta) : std::acosh(beta)) / root;
+  };
+  double low = 0, high = std::cosh(0.5 * wanted);  // 2 arcosh(beta) < loss
+  for (double middle = 0.5 * high; middle > low && middle < high; middle = 0.5 * (low + high))
+    (loss(middle) < wanted ? low : high) = middle;
+  return low;
 }
 
 }  // namespace dem

@@ -1,6 +1,6 @@
-// Tangential contact of bare stones: incremental spring of stiffness 8 G* a (Mindlin 1949), scaled down
-// as the contact area shrinks so that a closed cycle creates no energy (Thornton et al. 2013, 2.3),
-// with the Coulomb limit mu F on the stone force only.
+// Tangential contact of bare stones: incremental spring of stiffness 8 G* a (Mindlin 1949), whose force
+// falls as its stiffness does, by a shrinking contact or a breaking stone, so that a closed cycle
+// creates no energy (Thornton et al. 2013, 2.3), with the Coulomb limit mu F on the stone force only.
 #pragma once
 
 #include "dem/contact.h"
@@ -19,8 +19,8 @@ struct Mindlin {
 
   template <class T>
   struct Memory {
-    Vec3<T> shear;     // tangential force on the first body [N]
-    T contact_radius;  // a of the previous step [m]
+    Vec3<T> shear;  // tangential force on the first body [N]
+    T stiffness;    // 8 G* a of the previous step [N/m]
   };
 
   template <class T>
@@ -46,15 +46,15 @@ struct Mindlin {
     const T force = push.force * share;
     const T stiffness = T(8.0 * shear_modulus) * push.contact_radius * share;
 
-    const T shrunk = push.contact_radius / larger(memory.contact_radius, tiny);
-    const Vec3<T> kept = carried(memory.shear, contact) * smaller(shrunk, T(1.0));
+    const T left = smaller(stiffness / larger(memory.stiffness, tiny), T(1.0));
+    const Vec3<T> kept = carried(memory.shear, contact) * left;
     const Vec3<T> tried = kept - contact.sliding * stiffness;
-    const T limit = T(friction) * larger(force, T(0.0));
+    const T limit = T(friction) * force;
     const T size = sqrt(dot(tried, tried));
     const Vec3<T> shear = tried * (limit / larger(larger(size, limit), tiny));
 
     memory.shear = shear;
-    memory.contact_radius = push.contact_radius;
+    memory.stiffness = stiffness;
     // The shear stiffness is 4 G*/E0 < 1 of the normal one for every Poisson's ratio >= 0.
     const T ahead = larger(overlap_ahead(contact) - T(gap), T(0.0));
     return {force, force, shear, normal.stiffness(ahead, contact) * share};

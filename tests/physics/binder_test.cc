@@ -97,7 +97,7 @@ double ramp_error(double duration, int steps) {
 TEST(binder, a_ramp_of_100_steps_is_right_to_a_hundred_thousandth) {
   // Reference: the hereditary integral by adaptive quadrature. The recursion is exact for h^1.5
   // piecewise linear; h itself is linear here, hence a second order error.
-  for (const double duration : {0.05, 0.2, 1.0, 20.0}) {std::printf("ramp %g %g order %g\n",duration,ramp_error(duration,100),std::log2(ramp_error(duration, 100) / ramp_error(duration, 200)));EXPECT_LT(ramp_error(duration, 100), 1e-5);}
+  for (const double duration : {0.05, 0.2, 1.0, 20.0}) EXPECT_LT(ramp_error(duration, 100), 1e-5);
 }
 
 TEST(binder, halving_the_step_of_a_ramp_quarters_the_error) {
@@ -109,14 +109,15 @@ TEST(binder, halving_the_step_of_a_ramp_quarters_the_error) {
 
 TEST(binder, an_oscillation_is_followed_in_modulus_and_phase) {
   // Reference: adaptive quadrature under h = 0.5 mm (1 - cos wt), from fast to slow against tau_1,
-  // bonded without limit; 100 steps a period, 4 periods. Second order.
+  // bonded without limit. Chords of 1/100 period miss a wave by (2 pi/100)^2/12 of its amplitude,
+  // here half of `deep` of which 43 % relax: 7e-5; half the step, a quarter of that.
   const Binder<2> law = hot_binder(0.43, 1e9);
   for (const double period : {0.05, 0.5, 5.0}) {
     const auto wave = [&](double t) {
       return 0.5 * deep * (1 - std::cos(2 * std::numbers::pi * t / period));
     };
     const double coarse = largest_error(law, wave, 4 * period, 400);
-    std::printf("osc %g %g\n",period,coarse);EXPECT_LT(coarse, 1e-4);
+    EXPECT_LT(coarse, 1e-4);
     EXPECT_LT(largest_error(law, wave, 4 * period, 800), 0.3 * coarse);
   }
 }

@@ -20,15 +20,17 @@ fem::Mould mould_of_wall(double wall_thickness, fem::BaseSupport base) {
           .steel = {}};
 }
 
-Vector3d outwards(const Vector3d& x) { return Vector3d(x[0], x[1], 0).normalized(); }
+Vector3d outwards(const Vector3d& x) {
+  return Vector3d(x[0], x[1], 0).normalized();
+}
 
 fem::ElasticBody::Traction uniform_pressure() {
   return [](const Vector3d& x) -> Vector3d { return pressure * outwards(x); };
 }
 
 // Hoop stress [Pa] averaged over the nodes of one radius [m] near mid-height.
-double mean_hoop_stress(const fem::ElasticBody& body, const fem::StressField& stress,
-                        double radius, double height) {
+double mean_hoop_stress(const fem::ElasticBody& body, const fem::StressField& stress, double radius,
+                        double height) {
   double sum = 0;
   int count = 0;
   for (Eigen::Index i = 0; i < body.nodes().cols(); ++i) {
@@ -45,7 +47,7 @@ double mean_hoop_stress(const fem::ElasticBody& body, const fem::StressField& st
 class LameCylinder : public testing::TestWithParam<double> {};
 
 // Lame (1852), plane stress (ends free): Timoshenko & Goodier (1970), 28.
-// 1 % is what the default mesh promises; found 0.02 % in displacement and 0.3 % in stress.
+// 1 % is what the default mesh promises; the displacement is right to 4e-5.
 TEST_P(LameCylinder, grows_and_is_stressed_as_lame_says) {
   const auto mould = mould_of_wall(GetParam(), fem::BaseSupport::guided);
   const fem::ElasticBody body(mould, {});
@@ -67,47 +69,96 @@ TEST_P(LameCylinder, grows_and_is_stressed_as_lame_says) {
 }
 INSTANTIATE_TEST_SUITE_P(walls, LameCylinder, testing::Values(0.005, 0.0075, 0.0125, 0.03));
 
-// Inextensional ring in plane strain, w = p R^4 / (D (n^2 - 1)^2) with R the middle radius and the
-// load carried to it (p a / R): Timoshenko & Woinowsky-Krieger (1959), 15. A guided cylinder is free to
-// bow along z, so the plate's stiffness E t^3 / 12 of plane stress belongs in D. The ring leaves out
-// shear and hoop stretch, of order (t / R)^2 n^2 = 4 %; 5 % also catches the locking of bad elements.
-TEST(ovalling, follows_the_ring_formula) {
+// Radial displacement [m] of an annulus a < r < b at r = a under the traction p cos(n theta) on r =
+// a, in plane strain: Michell (1899), stress function (A r^n + B r^-n + C r^(n+2) + D r^(2-n))
+// cos(n theta), Timoshenko & Goodier (1970), 43; lengths in units of a.
+double michell_displacement(const fem::Mould& mould, int n, double traction) {
+  const double a = mould.inner_diameter / 2, outer = 1 + mould.wall_thickness / a;
+  const double nu = mould.steel.poisson, shear = mould.steel.young / (2 * (1 + nu));
+  const auto radial = [n](double r) {
+    return Eigen::RowVector4d(n * (1 - n) * std::pow(r, n - 2), -n * (1 + n) * std::pow(r, -n - 2),
+                              -(n - 2) * (n + 1) * std::pow(r, n),
+                              -(n + 2) * (n - 1) * std::pow(r, -n));
+  };
+  const auto tangential = [n](double r) {
+    return Eigen::RowVector4d(n * (n - 1) * std::pow(r, n - 2), -n * (n + 1) * std::pow(r, -n - 2),
+                              n * (n + 1) * std::pow(r, n), -n * (n - 1) * std::pow(r, -n));
+  };
+  Eigen::Matrix4d conditions;
+  conditions << radial(1), tangential(1), radial(outer), tangential(outer);
+  const Eigen::Vector4d weights = conditions.fullPivLu().solve(Eigen::Vector4d(-traction, 0, 0, 0));
+  const double kappa = 3 - 4 * nu;
+  return a / (2 * shear) * Eigen::RowVector4d(-n, n, kappa - 1 - n, kappa - 1 + n).dot(weights);
+}
+
+// cos(n theta) component of the radial displacement [m] at a height, by sums over the circle.
+double harmonic(const fem::ElasticBody& body, const Eigen::VectorXd& displacement,
+                const fem::Mould& mould, int n, double height) {
+  const int samples = 48;  // exact up to n = 47
+  double sum = 0;
+  for (int k = 0; k < samples; ++k) {
+    const double angle = 2 * std::numbers::pi * k / samples;
+    const Vector3d out(std::cos(angle), std::sin(angle), 0);
+    const Vector3d place = mould.inner_diameter / 2 * out + Vector3d(0, 0, height);
+    const Vector3d moved = body.face_displacement(displacement, place);
+    sum += 2.0 / samples * std::cos(n * angle) * moved.dot(out);
+  }
+  return sum;
+}
+
+// A long guided cylinder is in plane strain away from its free edge. 1 % is what the default mesh
+// promises; elements that lock in bending miss it by far (fully integrated ones of this size by 5
+// %).
+TEST(ovalling, is_as_large_as_michell_says) {
   auto mould = mould_of_wall(0.0075, fem::BaseSupport::guided);
+  mould.height = 1.0;
   const fem::ElasticBody body(mould, {});
-  const double a = mould.inner_diameter / 2, middle = a + mould.wall_thickness / 2;
   for (const int n : {2, 3}) {
     const double amplitude = 10e3;  // [Pa]
-    const auto load = body.face_load([&](const Vector3d& x) -> Vector3d {
-      return amplitude * std::cos(n * std::atan2(x[1], x[0])) * outwards(x);
-    });
-    const Eigen::VectorXd displacement = body.solve(load);
-    const double bending =
-        mould.steel.young * std::pow(mould.wall_thickness, 3) / 12;  // [N m], plane stress
-    const double ring = amplitude * a / middle * std::pow(middle, 4) /
-                        (bending * std::pow(n * n - 1, 2));
-    double harmonic = 0;  // of the radial displacement at mid-height, by sums over the circle
-    const int samples = 48;
-    for (int k = 0; k < samples; ++k) {
-      const double angle = 2 * std::numbers::pi * k / samples;
-      const Vector3d place(a * std::cos(angle), a * std::sin(angle), mould.height / 2);
-      const Vector3d moved = body.face_displacement(displacement, place);
-      harmonic += 2.0 / samples * std::cos(n * angle) * moved.dot(outwards(place));
-    }
-    EXPECT_NEAR(harmonic, ring, 0.05 * ring) << "n = " << n;
+    const Eigen::VectorXd displacement =
+        body.solve(body.face_load([&](const Vector3d& x) -> Vector3d {
+          return amplitude * std::cos(n * std::atan2(x[1], x[0])) * outwards(x);
+        }));
+    const double exact = michell_displacement(mould, n, amplitude);
+    EXPECT_NEAR(harmonic(body, displacement, mould, n, 0.5), exact, 0.01 * exact) << "n = " << n;
   }
 }
 
-// Long shell clamped at its base under uniform pressure: w = w0 (1 - exp(-z')(cos z' + sin z')) with
-// z' = beta z; Timoshenko & Woinowsky-Krieger (1959), 114-115. Shell theory of the middle surface
-// errs by t / R = 10 % of w0 here at most; 5 % of w0 is met because w0 is Lame's.
+// The thin ring itself, w = p R^4 / (D (n^2 - 1)^2), D = E t^3 / (12 (1 - nu^2)), R the middle
+// radius and p a / R the load carried to it: Timoshenko & Woinowsky-Krieger (1959), 15. For t / a =
+// 2 / 75 the ring leaves out hoop stretch and shear of order n^2 (t / R)^2 < 1 %; 2 % with the
+// mesh's own 1 %.
+TEST(ovalling, of_a_thin_wall_follows_the_ring_formula) {
+  auto mould = mould_of_wall(0.002, fem::BaseSupport::guided);
+  mould.height = 0.6;
+  const fem::ElasticBody body(mould, {});
+  const double a = mould.inner_diameter / 2, middle = a + mould.wall_thickness / 2;
+  const double nu = mould.steel.poisson;
+  const double bending =
+      mould.steel.young * std::pow(mould.wall_thickness, 3) / (12 * (1 - nu * nu));  // [N m]
+  for (const int n : {2, 3}) {
+    const double amplitude = 10e3;  // [Pa]
+    const Eigen::VectorXd displacement =
+        body.solve(body.face_load([&](const Vector3d& x) -> Vector3d {
+          return amplitude * std::cos(n * std::atan2(x[1], x[0])) * outwards(x);
+        }));
+    const double ring =
+        amplitude * a / middle * std::pow(middle, 4) / (bending * std::pow(n * n - 1, 2));
+    EXPECT_NEAR(harmonic(body, displacement, mould, n, 0.3), ring, 0.02 * ring) << "n = " << n;
+  }
+}
+
+// Long shell clamped at its base under uniform pressure: w = w0 (1 - exp(-z')(cos z' + sin z'))
+// with z' = beta z; Timoshenko & Woinowsky-Krieger (1959), 114-115. Shell theory of the middle
+// surface errs by t / R = 10 % of w0 here at most; 5 % of w0 is met because w0 is Lame's.
 TEST(mould_base, holds_the_shell_over_its_decay_length) {
   const auto mould = mould_of_wall(0.0075, fem::BaseSupport::clamped);
   const fem::ElasticBody body(mould, {});
   const Eigen::VectorXd displacement = body.solve(body.face_load(uniform_pressure()));
   const double a = mould.inner_diameter / 2, b = a + mould.wall_thickness, middle = (a + b) / 2;
   const double nu = mould.steel.poisson;
-  const double free_growth = pressure * a / mould.steel.young *
-                             ((b * b + a * a) / (b * b - a * a) + nu);
+  const double free_growth =
+      pressure * a / mould.steel.young * ((b * b + a * a) / (b * b - a * a) + nu);
   const double beta = std::pow(3 * (1 - nu * nu), 0.25) / std::sqrt(middle * mould.wall_thickness);
   for (const double z : {0.01, 0.02, 0.03, 0.05, 0.08, 0.12}) {
     const double decayed = std::exp(-beta * z) * (std::cos(beta * z) + std::sin(beta * z));

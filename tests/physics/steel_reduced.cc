@@ -25,7 +25,9 @@ constexpr fem::Mould mould{.inner_diameter = 0.1,
                            .base = fem::BaseSupport::clamped,
                            .steel = {}};
 
-Vector3d uneven(const Vector3d& x) { return {1e5 * x[1] / 0.05, 0, 6e5 * (1 + x[0] / 0.05)}; }
+Vector3d uneven(const Vector3d& x) {
+  return {1e5 * x[1] / 0.05, 0, 6e5 * (1 + x[0] / 0.05)};
+}
 
 const Eigen::Matrix3Xd three_points = [] {
   Eigen::Matrix3Xd points(3, 3);
@@ -35,13 +37,12 @@ const Eigen::Matrix3Xd three_points = [] {
 
 // Sum of the modes' static answers, displacement of the whole body [m].
 VectorXd modal_answer(const fem::ReducedBody& modes, const VectorXd& load) {
-  return modes.full_shape *
-         (modes.full_shape.transpose() * load).cwiseQuotient(modes.stiffness);
+  return modes.full_shape * (modes.full_shape.transpose() * load).cwiseQuotient(modes.stiffness);
 }
 
-// Galerkin: the modes' answer is the best in energy, so its compliance grows with every mode, towards
-// that of the full body; what is missing is bounded by the first compliance left out,
-// load . (u - u_modes) <= s_left_out |traction|^2.
+// Galerkin: the modes' answer is the best in energy, so its compliance grows with every mode,
+// towards that of the full body; what is missing is bounded by the first compliance left out, load
+// . (u - u_modes) <= s_left_out |traction|^2.
 TEST(modes, answer_a_static_load_ever_better) {
   const fem::ElasticBody body(head, {});
   const VectorXd load = body.face_load(uneven);
@@ -55,7 +56,8 @@ TEST(modes, answer_a_static_load_ever_better) {
     // int |t|^2 dA of `uneven` over a disc of radius 50 mm.
     const double area = M_PI * 0.05 * 0.05;
     const double squared_traction = (0.25 * 1e10 + 1.25 * 36e10) * area;
-    EXPECT_LT(missing * load.dot(full), modes.compliance[count] * squared_traction * 1.001) << count;
+    EXPECT_LT(missing * load.dot(full), modes.compliance[count] * squared_traction * 1.001)
+        << count;
     previous = missing;
   }
   EXPECT_LT(previous, 1e-4);
@@ -93,7 +95,8 @@ TEST(modes, repeat_bit_by_bit) {
   EXPECT_EQ(shape(), shape());
 }
 
-// A round body has pairs of modes; the first of a pair moves the point on +x, the second mirrors it.
+// A round body has pairs of modes; the first of a pair moves the point on +x, the second mirrors
+// it.
 TEST(modes, of_a_pair_share_their_stiffness_and_lie_on_the_axes) {
   const fem::ReducedBody modes = fem::ElasticBody(head, {}).reduce(2, three_points);
   EXPECT_NEAR(modes.stiffness[1] / modes.stiffness[0], 1, 1e-8);
@@ -113,12 +116,12 @@ TEST(modes, are_as_few_as_the_tolerance_allows) {
   EXPECT_EQ(modes.compliance.size(), count + 1);
 }
 
-// The mass of a disc and a cylinder; the quadratic mesh meets a circle's area to 1e-5.
+// The mass of a disc and a cylinder; twelve quadratic arcs hold 1.6e-4 less than the circle's area.
 TEST(mass, is_density_times_volume) {
   const double plate = M_PI / 4 * 0.1 * 0.1 * 0.02, shaft = M_PI / 4 * 0.04 * 0.04 * 0.1;
   const double exact = head.steel.density * (plate + shaft);
   const fem::ElasticBody body(head, {});
-  EXPECT_NEAR(body.mass(), exact, 1e-4 * exact);
+  EXPECT_NEAR(body.mass(), exact, 2e-4 * exact);
   EXPECT_NEAR(body.reduce(2, three_points).body_mass, body.mass(), 1e-10 * exact);
 }
 

@@ -29,15 +29,10 @@ VectorXd field(const fem::ElasticBody& body, const Eigen::Matrix3d& gradient) {
   return (gradient * body.nodes()).reshaped();
 }
 
-class Degree : public testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(polynomials, Degree, testing::Values(1, 2));
-
 // Patch test (Irons 1965): a linear displacement has a constant stress, exactly but for rounding.
-TEST_P(Degree, linear_displacement_has_constant_stress) {
-  // Degree 1 lacks the mid-points that make a round surface, so its linear fields are exact too
-  // only where edges are straight; the recovered stress is compared for degree 2.
-  if (GetParam() == 1) GTEST_SKIP() << "subparametric elements only";
-  const fem::ElasticBody body(guided, {.degree = GetParam()});
+// (Displacements of degree 1 on round elements of degree 2 do not hold linear fields.)
+TEST(patch, of_linear_displacement_has_constant_stress) {
+  const fem::ElasticBody body(guided, {});
   Eigen::Matrix3d gradient;
   gradient << 1e-4, 2e-5, -3e-5, 4e-5, -2e-4, 1e-5, 6e-5, -1e-5, 3e-4;
   const auto stress = body.stress(field(body, gradient));
@@ -68,9 +63,9 @@ TEST(stiffness, does_not_feel_rigid_motions) {
   const auto stiffness = fem::assemble_stiffness(elements, head.steel);
   for (int i = 0; i < 6; ++i) {
     const Vector3d axis = Vector3d::Unit(i % 3);
-    const Eigen::Matrix3Xd moved =
-        i < 3 ? Eigen::Matrix3Xd(axis.replicate(1, elements.nodes.cols()))
-              : Eigen::Matrix3Xd(elements.nodes.colwise().cross(-axis));
+    const Eigen::Matrix3Xd moved = i < 3
+                                       ? Eigen::Matrix3Xd(axis.replicate(1, elements.nodes.cols()))
+                                       : Eigen::Matrix3Xd(elements.nodes.colwise().cross(-axis));
     const VectorXd motion = moved.reshaped();
     const VectorXd force = stiffness.selfadjointView<Eigen::Lower>() * motion;
     const double scale = stiffness.diagonal().maxCoeff() * motion.cwiseAbs().maxCoeff();
@@ -81,9 +76,9 @@ TEST(stiffness, does_not_feel_rigid_motions) {
 // Newton: the supports answer the load, force and moment, to rounding.
 TEST(supports, answer_the_load) {
   const fem::ElasticBody body(head, {});
-  const VectorXd load =
-      body.face_load([](const Vector3d& x) -> Vector3d { return {1e5, -2e5, 6e5 + 1e7 * x[0]}; }) +
-      body.point_load({0.03, 0.01, 0}, {10, 20, 500});
+  const VectorXd load = body.face_load([](const Vector3d& x) -> Vector3d {
+    return {1e5, -2e5, 6e5 + 1e7 * x[0]};
+  }) + body.point_load({0.03, 0.01, 0}, {10, 20, 500});
   Vector3d force = Vector3d::Zero(), moment = Vector3d::Zero();
   for (Eigen::Index i = 0; i < body.nodes().cols(); ++i) {
     force += load.segment<3>(3 * i);
@@ -109,8 +104,8 @@ TEST(compliance, is_symmetric_and_positive) {
   EXPECT_GT(Eigen::SelfAdjointEigenSolver<MatrixXd>(compliance).eigenvalues().minCoeff(), 0);
 }
 
-// Loads are the transpose of displacements: a point force does the work that the point's displacement
-// says, to rounding.
+// Loads are the transpose of displacements: a point force does the work that the point's
+// displacement says, to rounding.
 TEST(point_load, does_the_work_of_its_point) {
   const fem::ElasticBody body(head, {});
   const VectorXd displacement =
@@ -121,8 +116,8 @@ TEST(point_load, does_the_work_of_its_point) {
               1e-12 * std::abs(work));
 }
 
-// A cell mesh fills the body: the volume of its cells is the body's, less what chords cut off
-// (0.3 % for 7.5 degrees a chord on the mould's thin wall cancels inside against outside).
+// A cell mesh fills the body: the volume of its cells is the body's, less the 1.1 % that 24 chords
+// cut off a circle (sin(15 deg) / (15 deg)).
 TEST(cells, fill_the_body_and_point_outwards) {
   const fem::ElasticBody body(head, {});
   const fem::CellMesh& cells = body.cells();
@@ -132,7 +127,8 @@ TEST(cells, fill_the_body_and_point_outwards) {
       return cells.points.col(cells.hexahedra[c + corner]);
     };
     // Five tetrahedra of a VTK hexahedron.
-    constexpr int tetrahedra[5][4] = {{0, 1, 2, 5}, {0, 2, 3, 7}, {0, 5, 7, 4}, {2, 7, 5, 6}, {0, 2, 7, 5}};
+    constexpr int tetrahedra[5][4] = {
+        {0, 1, 2, 5}, {0, 2, 3, 7}, {0, 5, 7, 4}, {2, 7, 5, 6}, {0, 2, 7, 5}};
     for (const auto& t : tetrahedra) {
       const double part =
           (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])).dot(at(t[3]) - at(t[0])) / 6;
@@ -140,7 +136,7 @@ TEST(cells, fill_the_body_and_point_outwards) {
       volume += part;
     }
   }
-  EXPECT_NEAR(volume, body.mass() / head.steel.density, 0.01 * volume);
+  EXPECT_NEAR(volume, body.mass() / head.steel.density, 0.012 * volume);
   for (std::size_t i = 0; i < cells.node.size(); ++i)
     ASSERT_EQ(Vector3d(cells.points.col(i)), Vector3d(body.nodes().col(cells.node[i])));
 }

@@ -29,11 +29,12 @@ fem::LoadedFace face_of(const auto& body, int degree) {
 class Face : public testing::TestWithParam<int> {};  // degree of the displacement
 INSTANTIATE_TEST_SUITE_P(polynomials, Face, testing::Values(1, 2));
 
-// Area of a disc and of a cylinder. Quadratic arcs of 22.5 and 15 degrees meet them to 1e-4.
+// Area of a disc and of a cylinder. Quadratic arcs of 30 and 15 degrees hold 1.6e-4 of the disc's
+// area and 5e-6 of the cylinder's too little.
 TEST_P(Face, has_the_area_of_its_circle) {
   const double disc = M_PI * 0.05 * 0.05, cylinder = M_PI * 0.15 * 0.2;
-  EXPECT_NEAR(face_of(head, GetParam()).area(), disc, 1e-4 * disc);
-  EXPECT_NEAR(face_of(mould, GetParam()).area(), cylinder, 1e-4 * cylinder);
+  EXPECT_NEAR(face_of(head, GetParam()).area(), disc, 2e-4 * disc);
+  EXPECT_NEAR(face_of(mould, GetParam()).area(), cylinder, 1e-5 * cylinder);
 }
 
 // A uniform pressure has the resultant p A, and p z has its centre of pressure two thirds up.
@@ -54,7 +55,7 @@ TEST_P(Face, interpolates_its_own_nodes) {
   EXPECT_LT((found - face.places()).cwiseAbs().maxCoeff(), 1e-12);
 }
 
-// Points on the exact circle, off the surface by the quadratic arc's error (4e-6 of the radius for
+// Points on the exact circle, off the surface by the quadratic arc's error (7e-6 of the radius for
 // 15 degrees), and a little beyond the rim, are taken to the nearest place.
 TEST(nearest_place, is_found_for_points_on_and_about_the_mould) {
   const auto face = face_of(mould, 2);

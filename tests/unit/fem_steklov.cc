@@ -38,8 +38,8 @@ TEST(steklov_modes, find_the_largest_compliances_pairs_included) {
   const Index size = 300, kept = 21;
   const Problem problem = paired_problem(size);
   const auto modes = fem::steklov_modes(
-      [&](const MatrixXd& forces) -> MatrixXd { return problem.compliance * forces; },
-      problem.mass, {kept, 0}, {0});
+      [&](const MatrixXd& forces) -> MatrixXd { return problem.compliance * forces; }, problem.mass,
+      {kept, 0}, {0});
   ASSERT_EQ(modes.compliance.size(), kept + 1);
   for (Index i = 0; i <= kept; ++i) {
     const double exact = 1 / std::pow(1.0 + i / 2, 2);
@@ -56,8 +56,8 @@ TEST(steklov_modes, find_the_largest_compliances_pairs_included) {
 TEST(steklov_modes, orients_equal_modes) {
   const Problem problem = paired_problem(100);
   const auto modes = fem::steklov_modes(
-      [&](const MatrixXd& forces) -> MatrixXd { return problem.compliance * forces; },
-      problem.mass, {8, 0}, {5});
+      [&](const MatrixXd& forces) -> MatrixXd { return problem.compliance * forces; }, problem.mass,
+      {8, 0}, {5});
   for (Index first = 0; first < 8; first += 2) {
     EXPECT_GT(std::abs(modes.shape(5, first)), 1e-4);
     EXPECT_NEAR(modes.shape(5, first + 1), 0, 1e-12);
@@ -69,8 +69,8 @@ TEST(steklov_modes, reach_the_end_of_a_small_space) {
   const Index size = 13;
   const Problem problem = paired_problem(size);
   const auto modes = fem::steklov_modes(
-      [&](const MatrixXd& forces) -> MatrixXd { return problem.compliance * forces; },
-      problem.mass, {size - 1, 0}, {0});
+      [&](const MatrixXd& forces) -> MatrixXd { return problem.compliance * forces; }, problem.mass,
+      {size - 1, 0}, {0});
   EXPECT_NEAR(modes.compliance[size - 1], 1 / 49.0, 1e-10);
 }
 

@@ -1,0 +1,109 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/physics/binder_laws.h"
+#include "tests/physics/one_contact.h"
+
+namespace dem {
+namespace {
+
+constexpr double r0 = 1.4e-3;  // [m]
+constexpr double deep = 0.8e-3;
+constexpr double slide = 0.1e-3;
+
+OneContact<Binder<2>> contact_of(const Binder<2>& law) {
+  return {law, r0, r0};
+}
+
+// G0 A / b: shear stiffness of a film that does not relax [N/m].
+double stiffness(const Binder<2>& law, double overlap) {
+  return law.modulus * std::numbers::pi * r0 * overlap / law.film;
+}
+
+TEST(film, a_step_of_sliding_relaxes_as_the_modulus) {
+  // Closed form: T = G(t) A s / b, A = pi R0 h, against the sliding. Exact but for rounding.
+  const Binder<2> law = hot_binder(0.43);
+  auto contact = contact_of(law);
+  contact.move(deep, 0);
+  const double whole = stiffness(law, deep) * slide;
+  EXPECT_NEAR(contact.move(deep, 0, {0.6 * slide, -0.8 * slide, 0}).shear.x / whole, -0.6, 1e-12);
+  double time = 0;
+  for (const double dt : {1e-3, 0.2, 30.0}) {
+    time += dt;
+    const Vec3d shear = contact.move(deep, dt).shear;
+    EXPECT_NEAR(shear.x / whole, -0.6 * relaxation(law, time), 1e-12);
+    EXPECT_NEAR(shear.y / whole, 0.8 * relaxation(law, time), 1e-12);
+  }
+}
+
+TEST(film, steady_sliding_is_exact_for_any_step) {
+  // Closed form: T = G0 A v / b [g t + sum A_i tau_i (1 - exp(-t/tau_i))].
+  const Binder<2> law = hot_binder(1);
+  const double speed = 1e-3;
+  auto contact = contact_of(law);
+  contact.move(deep, 0);
+  double time = 0;
+  for (const double dt : {1e-5, 0.02, 0.3, 1e-3, 4.0}) {
+    time += dt;
+    double sum = (1 - law.weight[0] - law.weight[1]) * time;
+    for (int i = 0; i < 2; ++i)
+      sum -= law.weight[i] * law.time[i] * std::expm1(-time / law.time[i]);
+    const double shear = contact.move(deep, dt, {speed * dt, 0, 0}).shear.x;
+    EXPECT_NEAR(-shear / (stiffness(law, deep) * speed * sum), 1, 1e-12);
+  }
+}
+
+TEST(film, growing_contact_adds_area_to_later_sliding_only) {
+  // Reference: adaptive quadrature of T = 1/b int G(t - s) A(s) ds under h = v t, s = u t. The step
+  // takes the area at its end, an error of first order: 1/n.
+  const Binder<2> law = hot_binder(0.43);
+  constexpr double duration = 0.3;
+  const double exact = integral(
+      [&](double s) { return relaxation(law, duration - s) * stiffness(law, deep * s / duration); },
+      0, duration, 1e-9);
+  constexpr int steps = 2000;
+  auto contact = contact_of(law);
+  double shear = 0;
+  for (int n = 1; n <= steps; ++n)
+    shear = contact.move(deep * n / steps, duration / steps, {slide / steps, 0, 0}).shear.x;
+  EXPECT_NEAR(-shear / (exact * slide / duration), 1, 2.0 / steps);
+}
+
+TEST(film, shrinking_contact_gives_up_force_with_its_area) {
+  // From the law: history shrinks as the area does, and what is lost does not come back.
+  const Binder<2> law = hot_binder(0);
+  auto contact = contact_of(law);
+  contact.move(deep, 0);
+  contact.move(deep, 0, {slide, 0, 0});
+  const double whole = stiffness(law, deep) * slide;
+  EXPECT_NEAR(-contact.move(0.25 * deep, 1e-3).shear.x / whole, 0.25, 1e-12);
+  EXPECT_NEAR(-contact.move(deep, 1e-3).shear.x / whole, 0.25, 1e-12);
+}
+
+TEST(film, a_stretched_bond_carries_no_shear) {
+  // From the law: no area below h = 0; pressed again, the film starts anew.
+  const Binder<2> law = hot_binder(0.43, 1e4);
+  auto contact = contact_of(law);
+  contact.move(deep, 0);
+  contact.move(deep, 1e-3, {slide, 0, 0});
+  EXPECT_EQ(contact.move(-0.1 * deep, 1e-3, {slide, 0, 0}).shear.x, 0);
+  EXPECT_TRUE(contact.held());
+  EXPECT_EQ(contact.move(deep, 1e-3).shear.x, 0);
+}
+
+TEST(film, half_the_thickness_is_twice_the_stiffness) {
+  // Closed form: G A / b; at a wall b = t, half that of a pair.
+  Binder<2> wall = hot_binder(0.43);
+  wall.film /= 2;
+  auto at_wall = contact_of(wall), of_pair = contact_of(hot_binder(0.43));
+  at_wall.move(deep, 0);
+  of_pair.move(deep, 0);
+  const double ratio = at_wall.move(deep, 1e-2, {slide, 0, 0}).shear.x /
+                       of_pair.move(deep, 1e-2, {slide, 0, 0}).shear.x;
+  EXPECT_NEAR(ratio, 2, 1e-12);
+}
+
+}  // namespace
+}  // namespace dem
