@@ -4,15 +4,13 @@
 
 #include <iterator>
 
-#include "apps/laws.h"
+#include "apps/bed.h"
 #include "apps/path_case.h"
 #include "apps/program.h"
 #include "apps/whole_file.h"
 #include "dem/strength.h"
 
 namespace {
-
-constexpr dem::Material rigid = {1e30, 0.3};  // all compliance of the contact is the stone's
 
 // One stone of the contact, as far as it may break.
 struct Stone {
@@ -58,7 +56,7 @@ class Drive {
     last_ = point;
     return fmt::format("{},{},{},{},{},{},{},{:d},{}\n", point.time, point.overlap, point.shear,
                        response.push, response.push - response.stone, response.stone,
-                       -response.shear.x, bool(Law::template holds<double>(memory_)), broken());
+                       0.0 - response.shear.x, bool(Law::template holds<double>(memory_)), broken());
   }
 
  private:
@@ -112,7 +110,7 @@ void follow(const apps::Options& options) {
   const apps::StonesScene stone = the_case.stone.value_or(apps::StonesScene{});
   const apps::LawBook book(stone, the_case.binder, mix);
   apps::Counterpart counterpart = {std::nullopt, stone.friction};
-  if (the_case.at_wall()) counterpart.wall = the_case.wall.value_or(rigid);
+  if (the_case.at_wall()) counterpart.wall = the_case.wall.value_or(apps::rigid);
 
   std::string rows;
   if (the_case.stone) {

@@ -78,7 +78,7 @@ class CaseCheck {
   void check(const PathCase& the_case) const {
     const std::size_t bodies = the_case.at_wall() ? 1 : 2;
     if (!the_case.radius.empty() && the_case.radius.size() != bodies)
-      refuse("contact.radius", std::to_string(bodies) + " radius" + (bodies > 1 ? " values" : ""),
+      refuse("contact.radius", bodies == 1 ? "one radius" : "two radii",
              "give two radii for a pair, one for a wall");
     if (!given("binder") && !given("stone"))
       mistakes_.add({document_.path, 1, 1}, "a section [binder] or [stone]", "neither",

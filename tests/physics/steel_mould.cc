@@ -107,8 +107,7 @@ double harmonic(const fem::ElasticBody& body, const Eigen::VectorXd& displacemen
 }
 
 // A long guided cylinder is in plane strain away from its free edge. 1 % is what the default mesh
-// promises; elements that lock in bending miss it by far (fully integrated ones of this size by 5
-// %).
+// promises; elements that lock miss it by far (fully integrated ones of this size by 5 %).
 TEST(ovalling, is_as_large_as_michell_says) {
   auto mould = mould_of_wall(0.0075, fem::BaseSupport::guided);
   mould.height = 1.0;
