@@ -1,8 +1,13 @@
-// Drives one contact along a prescribed path and records its force: a look at a contact law before a
-// run is trusted to it. Every row of the path is one time step of a run, and one row of the table.
+// Drives one contact along a prescribed path and records its force: a look at a contact law before
+// a run is trusted to it. Every row of the path is one time step of a run, and one row of the
+// table.
 #include <fmt/format.h>
 
-#include <iterator>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "apps/bed.h"
 #include "apps/path_case.h"
@@ -14,8 +19,8 @@ namespace {
 
 // One stone of the contact, as far as it may break.
 struct Stone {
-  double strength;                 // [Pa]
-  double softness = 1;             // [-]
+  double strength;      // [Pa]
+  double softness = 1;  // [-]
   std::optional<dem::Crack> crack;
 };
 
@@ -25,7 +30,9 @@ class Drive {
  public:
   Drive(const apps::PathCase& the_case, const Law& law) : law_(law) {
     const std::vector<double>& r = the_case.radius;
-    const auto reduced = [&](double a, double b) { return the_case.at_wall() ? a : a * b / (a + b); };
+    const auto reduced = [&](double a, double b) {
+      return the_case.at_wall() ? a : a * b / (a + b);
+    };
     contact_.outer_radius = reduced(r.front() + the_case.shell, r.back() + the_case.shell);
     contact_.stone_radius = reduced(r.front(), r.back());
     contact_.normal = {0, 0, 1};
@@ -56,7 +63,8 @@ class Drive {
     last_ = point;
     return fmt::format("{},{},{},{},{},{},{},{:d},{}\n", point.time, point.overlap, point.shear,
                        response.push, response.push - response.stone, response.stone,
-                       0.0 - response.shear.x, bool(Law::template holds<double>(memory_)), broken());
+                       0.0 - response.shear.x, bool(Law::template holds<double>(memory_)),
+                       broken());
   }
 
  private:
@@ -94,8 +102,7 @@ class Drive {
 
 template <class Law>
 std::string table(const apps::PathCase& the_case, const Law& law) {
-  std::string rows =
-      "time_s,overlap_m,shear_m,force_N,binder_N,stone_N,shear_N,bonded,broken\n";
+  std::string rows = "time_s,overlap_m,shear_m,force_N,binder_N,stone_N,shear_N,bonded,broken\n";
   Drive<Law> drive(the_case, law);
   for (const apps::PathPoint& point : the_case.path) rows += drive.step_to(point);
   return rows;
@@ -109,14 +116,14 @@ void follow(const apps::Options& options) {
   mix.bitumen_fraction = the_case.bitumen_fraction;
   const apps::StonesScene stone = the_case.stone.value_or(apps::StonesScene{});
   const apps::LawBook book(stone, the_case.binder, mix);
-  apps::Counterpart counterpart = {std::nullopt, stone.friction};
+  constexpr double sticking = std::numeric_limits<double>::max();
+  apps::Counterpart counterpart = {std::nullopt, the_case.stone ? stone.friction : sticking};
   if (the_case.at_wall()) counterpart.wall = the_case.wall.value_or(apps::rigid);
 
   std::string rows;
   if (the_case.stone) {
-    rows = apps::with_law(book, [&]<class Law>() {
-      return table(the_case, book.law<Law>(counterpart, true));
-    });
+    rows = apps::with_law(
+        book, [&]<class Law>() { return table(the_case, book.law<Law>(counterpart, true)); });
   } else {
     using Shells = dem::Binder<apps::most_prony_terms>;
     rows = table(the_case, book.law<Shells>(counterpart, true));

@@ -18,56 +18,63 @@ constexpr const char* header = "time_s,overlap_m,shear_m";
 
 std::vector<Section> describe(PathCase& the_case, std::string& file) {
   BinderScene& binder = the_case.binder.emplace();
+  binder.wall_bonds = true;  // of one contact everything is shown
   StonesScene& stone = the_case.stone.emplace();
   dem::Material& wall = the_case.wall.emplace(dem::Material{210e9, 0.3});
   Section fracture = describe(stone.fracture);
   fracture.name = "stone.fracture";
   fracture.parameters.push_back({&the_case.seed, "seed", pure, at_least(0),
                                  "of the strengths that the stones are given", ""});
-  return {
-      {"contact",
-       "What meets what.",
-       {{&the_case.kind, "kind", pure, unbounded, "of the contact", "", required("\"pair\""),
-         {"pair", "wall"}},
-        {&the_case.radius, "radius", millimetre, positive,
-         "of the bare stones: two of a pair, one at a wall", "",
-         required("[\"4 mm\", \"2.5 mm\"]")}}},
-      {"binder",
-       "The shells; absent: dry stones.",
-       {{&the_case.shell, "shell_thickness", millimetre, positive, "of each shell", "",
-         required("\"0.5 mm\"")},
-        {&binder.shear_modulus, "shear_modulus", megapascal, positive, "G0, instantaneous", "",
-         required("\"6.65 MPa\"")},
-        {&binder.alpha, "alpha", pure, above_zero_to(1),
-         "shares of G0 that relax if all of the phase is bitumen, sum at most 1", "",
-         required("[0.513, 0.487]")},
-        {&binder.tau, "tau", second, positive, "relaxation times, one for each alpha", "",
-         required("[\"0.0948 s\", \"105.9 s\"]")},
-        {&the_case.bitumen_fraction, "bitumen_fraction", pure, between(0, 1),
-         "of the binder phase; alpha is multiplied by it", ""},
-        {&binder.bond_energy, "bond_energy", energy_per_area, at_least(0),
-         "work of separating two shells, per area", ""}},
-       [&the_case] { the_case.binder.reset(); }},
-      {"stone",
-       "The stones inside; absent: none is met.",
-       {{&stone.young, "young", gigapascal, positive, "Young's modulus", ""},
-        {&stone.poisson, "poisson", pure, poisson_range, "Poisson's ratio", ""},
-        {&stone.friction, "friction", pure, at_least(0), "Coulomb coefficient", ""},
-        {&stone.density, "density", density_unit, positive, "what damping is scaled with", ""},
-        {&stone.restitution, "restitution", pure, above_zero_to(1),
-         "speed after / before a dry impact; absent: no damping", "", optional("0.5")}},
-       [&the_case] { the_case.stone.reset(); }},
-      std::move(fracture),
-      {"wall",
-       "What a wall is made of; absent: rigid.",
-       {{&wall.young, "young", gigapascal, positive, "Young's modulus", ""},
-        {&wall.poisson, "poisson", pure, poisson_range, "Poisson's ratio", ""}},
-       [&the_case] { the_case.wall.reset(); }},
-      {"path",
-       "How the contact moves.",
-       {{&file, "file", pure, unbounded,
-         std::string("table with the header ") + header + ", from the folder of the case", "",
-         required("\"path.csv\"")}}}};
+  return {{"contact",
+           "What meets what.",
+           {{&the_case.kind,
+             "kind",
+             pure,
+             unbounded,
+             "of the contact",
+             "",
+             required("\"pair\""),
+             {"pair", "wall"}},
+            {&the_case.radius, "radius", millimetre, positive,
+             "of the bare stones: two of a pair, one at a wall", "",
+             required("[\"4 mm\", \"2.5 mm\"]")}}},
+          {"binder",
+           "The shells; absent: dry stones.",
+           {{&the_case.shell, "shell_thickness", millimetre, positive, "of each shell", "",
+             required("\"0.5 mm\"")},
+            {&binder.shear_modulus, "shear_modulus", megapascal, positive, "G0, instantaneous", "",
+             required("\"6.65 MPa\"")},
+            {&binder.alpha, "alpha", pure, above_zero_to(1),
+             "shares of G0 that relax if all of the phase is bitumen, sum at most 1", "",
+             required("[0.513, 0.487]")},
+            {&binder.tau, "tau", second, positive, "relaxation times, one for each alpha", "",
+             required("[\"0.0948 s\", \"105.9 s\"]")},
+            {&the_case.bitumen_fraction, "bitumen_fraction", pure, between(0, 1),
+             "of the binder phase; alpha is multiplied by it", ""},
+            {&binder.bond_energy, "bond_energy", energy_per_area, at_least(0),
+             "work of separating two shells, per area", ""}},
+           [&the_case] { the_case.binder.reset(); }},
+          {"stone",
+           "The stones inside; absent: none is met.",
+           {{&stone.young, "young", gigapascal, positive, "Young's modulus", ""},
+            {&stone.poisson, "poisson", pure, poisson_range, "Poisson's ratio", ""},
+            {&stone.friction, "friction", pure, at_least(0),
+             "Coulomb coefficient of stones, and of the film on a wall", ""},
+            {&stone.density, "density", density_unit, positive, "what damping is scaled with", ""},
+            {&stone.restitution, "restitution", pure, above_zero_to(1),
+             "speed after / before a dry impact; absent: no damping", "", optional("0.5")}},
+           [&the_case] { the_case.stone.reset(); }},
+          std::move(fracture),
+          {"wall",
+           "What a wall is made of; absent: rigid.",
+           {{&wall.young, "young", gigapascal, positive, "Young's modulus", ""},
+            {&wall.poisson, "poisson", pure, poisson_range, "Poisson's ratio", ""}},
+           [&the_case] { the_case.wall.reset(); }},
+          {"path",
+           "How the contact moves.",
+           {{&file, "file", pure, unbounded,
+             std::string("table with the header ") + header + ", from the folder of the case", "",
+             required("\"path.csv\"")}}}};
 }
 
 class CaseCheck {
@@ -123,8 +130,7 @@ class CaseCheck {
 };
 
 // The three numbers of a row; the mistake is added otherwise.
-std::optional<PathPoint> point_of(const std::string& line, const Place& place,
-                                  Mistakes& mistakes) {
+std::optional<PathPoint> point_of(const std::string& line, const Place& place, Mistakes& mistakes) {
   std::vector<double> numbers;
   std::size_t from = 0;
   while (from <= line.size()) {
@@ -145,8 +151,7 @@ std::optional<PathPoint> point_of(const std::string& line, const Place& place,
   return PathPoint{numbers[0], numbers[1], numbers[2]};
 }
 
-std::vector<PathPoint> read_path(const std::string& file, const Place& asked,
-                                 Mistakes& mistakes) {
+std::vector<PathPoint> read_path(const std::string& file, const Place& asked, Mistakes& mistakes) {
   std::vector<PathPoint> path;
   const std::optional<std::string> text = read_text(file);
   if (!text) {
@@ -154,8 +159,9 @@ std::vector<PathPoint> read_path(const std::string& file, const Place& asked,
                  "give the path from the folder of the case");
     return path;
   }
+  constexpr int most_shown = 10;  // more of the same would bury the rest
   bool headed = false;
-  int number = 0;
+  int number = 0, wrong = 0;
   for (std::size_t begin = 0; begin < text->size();) {
     const std::size_t end = std::min(text->find('\n', begin), text->size());
     const std::string line = trimmed(text->substr(begin, end - begin));
@@ -170,13 +176,16 @@ std::vector<PathPoint> read_path(const std::string& file, const Place& asked,
       return path;
     }
     const std::optional<PathPoint> point = point_of(line, place, mistakes);
-    if (!point) continue;
+    if (!point) {
+      if (++wrong == most_shown) return path;
+      continue;
+    }
     if (!path.empty() && point->time < path.back().time)
       mistakes.add(place, "a time not before that of the row above", '"' + line + '"',
                    "order the rows by time; equal times are a jump");
     path.push_back(*point);
   }
-  if (path.empty())
+  if (path.empty() && wrong == 0)
     mistakes.add({file, number, 1}, "rows of " + std::string(header), "none", "add some");
   return path;
 }
@@ -194,8 +203,8 @@ PathCase read_path_case(const std::string& path, const std::vector<std::string>&
   cross.check(the_case);
   if (!file.empty()) {
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    the_case.path = read_path((folder / file).lexically_normal().string(),
-                              cross.place("path.file"), mistakes);
+    the_case.path =
+        read_path((folder / file).lexically_normal().string(), cross.place("path.file"), mistakes);
   }
   if (mistakes.any()) throw InputError(mistakes.lines());
   return the_case;

@@ -24,8 +24,8 @@ struct PathCase {
   double shell = 0;                   // [m]
   double bitumen_fraction = 1;        // of the binder phase [-]
 
-  std::optional<StonesScene> stone;  // absent: the shells meet no stone, however deep
-  int seed = 1;                      // of the strengths, for stones that break
+  std::optional<StonesScene> stone;   // absent: the shells meet no stone, however deep
+  int seed = 1;                       // of the strengths, for stones that break
   std::optional<dem::Material> wall;  // absent: a rigid one
 
   std::vector<PathPoint> path;

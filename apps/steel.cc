@@ -8,7 +8,7 @@ namespace apps {
 namespace {
 
 // The letterbox is coarser than a stone contact: local indentation is Hertz's business.
-constexpr int sectors = 32;
+constexpr int sectors = 24;
 constexpr int plate_rings = 6;
 
 fem::Head head_of(const ElasticHeadScene& scene, const Machine& machine) {

@@ -7,7 +7,7 @@
 namespace coupling {
 namespace {
 
-// Phase that an oscillator together with the bed may go through between two exchanges [rad].
+// Phase that an oscillator together with the bed may go through in one time step [rad].
 constexpr double largest_phase = 0.1;
 
 }  // namespace
@@ -28,45 +28,61 @@ ElasticWall::ElasticWall(fem::ReducedBody body, const dem::Wall& wall,
   const double face = std::accumulate(area.begin(), area.end(), 0.0);
   bed_stiffness_ = settings.bed_modulus * face / std::sqrt(face);
   gain_ = bed_stiffness_ * body_.stiffness.cwiseInverse();
+  for (Eigen::Index m = 0; m < gain_.size(); ++m)
+    (gain_[m] > settings.static_gain ? oscillators_ : statics_).push_back(m);
+  swinging_ = body_.shape(Eigen::all, oscillators_);
+  following_ = body_.shape(Eigen::all, statics_);
   amplitude_ = velocity_ = Eigen::VectorXd::Zero(gain_.size());
-  oscillators_ = static_cast<int>((gain_.array() > settings.static_gain).count());
+  gathered_ = static_velocity_ = Eigen::VectorXd::Zero(body_.shape.rows());
 }
 
 void ElasticWall::exchange(dem::Wall& wall, double dt) {
-  gathered_ += dt;
-  if (++waited_ < settings_.interval) return;
-  const double span = gathered_;
-  const double ahead = waited_ * dt;  // the time until the next exchange
-  gathered_ = 0;
-  waited_ = 0;
-
   dem::SurfaceField& field = *wall.field;
-  const Eigen::Index unknowns = 3 * static_cast<Eigen::Index>(field.size());
-  Eigen::Map<Eigen::VectorXd> impulse(&field.impulse.front().x, unknowns);
-  const Eigen::VectorXd load = body_.shape.transpose() * impulse / span;  // modal, mean of the span [N]
+  const auto nodes = static_cast<Eigen::Index>(field.size());
+  Eigen::Map<Eigen::VectorXd> impulse(&field.impulse.front().x, 3 * nodes);
+  gathered_ += impulse;
+  span_ += dt;
+  swing(impulse, dt);
   impulse.setZero();
-
-  for (Eigen::Index m = 0; m < load.size(); ++m) {
-    const double stiffness = body_.stiffness[m];
-    if (gain_[m] > settings_.static_gain) {
-      const double least = (stiffness + bed_stiffness_) * std::pow(ahead / largest_phase, 2);
-      const double mass = std::max(settings_.inertia_scale * body_.mass[m], least);
-      // The stones answer one exchange late, which acts as a drag of -bed stiffness x delay.
-      const double drag =
-          2 * settings_.damping * std::sqrt(stiffness * mass) + 2 * bed_stiffness_ * ahead;
-      velocity_[m] += ahead / mass * (load[m] - stiffness * amplitude_[m] - drag * velocity_[m]);
-      amplitude_[m] += ahead * velocity_[m];
-    } else {
-      const double share = std::min(0.5, 1 / (1 + gain_[m]));
-      amplitude_[m] += share * (load[m] / stiffness - amplitude_[m]);
-    }
+  if (++waited_ >= settings_.interval) {
+    relax();
+    const Eigen::Map<const Eigen::VectorXd> displacement(&field.displacement.front().x, 3 * nodes);
+    const Eigen::VectorXd swung = swinging_ * velocity_(oscillators_) * dt;  // still to be moved
+    static_velocity_ = (body_.shape * amplitude_ - displacement - swung) / (waited_ * dt);
+    waited_ = 0;
   }
+  Eigen::Map<Eigen::VectorXd> velocity(&field.velocity.front().x, 3 * nodes);
+  velocity = static_velocity_ + swinging_ * velocity_(oscillators_);
+  field.fastest = std::sqrt(Eigen::Map<const Eigen::Matrix3Xd>(velocity.data(), 3, nodes)
+                                .colwise()
+                                .squaredNorm()
+                                .maxCoeff());
+}
 
-  Eigen::Map<Eigen::VectorXd> velocity(&field.velocity.front().x, unknowns);
-  const Eigen::Map<const Eigen::VectorXd> displacement(&field.displacement.front().x, unknowns);
-  velocity = (body_.shape * amplitude_ - displacement) / ahead;
-  field.fastest = std::sqrt(
-      Eigen::Map<const Eigen::Matrix3Xd>(velocity.data(), 3, field.size()).colwise().squaredNorm().maxCoeff());
+void ElasticWall::swing(const Eigen::VectorXd& impulse, double dt) {
+  const Eigen::VectorXd load = swinging_.transpose() * impulse / dt;  // [N]
+  for (std::size_t k = 0; k < oscillators_.size(); ++k) {
+    const Eigen::Index m = oscillators_[k];
+    const double stiffness = body_.stiffness[m];
+    const double least = (stiffness + bed_stiffness_) * std::pow(dt / largest_phase, 2);
+    const double mass = std::max(settings_.inertia_scale * body_.mass[m], least);
+    // The stones answer one step late, which acts as a drag of -bed stiffness x delay.
+    const double drag =
+        2 * settings_.damping * std::sqrt(stiffness * mass) + 2 * bed_stiffness_ * dt;
+    velocity_[m] += dt / mass * (load[k] - stiffness * amplitude_[m] - drag * velocity_[m]);
+    amplitude_[m] += dt * velocity_[m];
+  }
+}
+
+void ElasticWall::relax() {
+  const Eigen::VectorXd load = following_.transpose() * gathered_ / span_;  // mean of the span [N]
+  for (std::size_t k = 0; k < statics_.size(); ++k) {
+    const Eigen::Index m = statics_[k];
+    const double share = std::min(0.5, 1 / (1 + gain_[m]));
+    amplitude_[m] += share * (load[k] / body_.stiffness[m] - amplitude_[m]);
+  }
+  gathered_.setZero();
+  span_ = 0;
 }
 
 }  // namespace coupling

@@ -2,13 +2,15 @@
 // the letterbox, answering through how the letterbox moves.
 //
 // A mode whose compliance could answer the bed strongly (gain = bed stiffness / modal stiffness above
-// `static_gain`) is an oscillator with scaled modal mass and damping, stable for any softness; the
-// others follow statically with relaxation 1 / (1 + gain), at most 1/2. The gain comes from a bound on
-// the bed's stiffness, bed_modulus x face area / face size. Plain static exchange diverges where the
-// gain exceeds 1, which head tilt and mould ovalling do.
+// `static_gain`) is an oscillator with scaled modal mass and damping that moves with every time step,
+// stable for any softness; the others follow statically at every exchange with relaxation
+// 1 / (1 + gain), at most 1/2. The gain comes from a bound on the bed's stiffness, bed_modulus x face
+// area / face size. Plain static exchange diverges where the gain exceeds 1, which head tilt and mould
+// ovalling do.
 #pragma once
 
 #include <Eigen/Dense>
+#include <vector>
 
 #include "dem/simulation.h"
 #include "fem/elastic_body.h"
@@ -16,10 +18,10 @@
 namespace coupling {
 
 struct ExchangeSettings {
-  int interval = 10;          // time steps between two exchanges
+  int interval = 10;          // time steps between two exchanges of the static modes
   double inertia_scale = 1;   // modal mass / true modal mass [-]
   double damping = 0.15;      // of the critical damping of each oscillator [-]
-  double static_gain = 0.02;  // modes below it follow statically [-]
+  double static_gain = 0.1;   // modes below it follow statically [-]
   double bed_modulus = 1e9;   // bound of the bed's confined modulus [Pa]
 };
 
@@ -28,22 +30,28 @@ class ElasticWall {
   // `body` sampled at the nodes of wall.field, in their order.
   ElasticWall(fem::ReducedBody body, const dem::Wall& wall, const ExchangeSettings& settings);
 
-  // To be called after every time step of length dt [s]; acts at every interval-th call.
+  // To be called after every time step of length dt [s].
   void exchange(dem::Wall& wall, double dt);
 
   const fem::ReducedBody& body() const { return body_; }
   const Eigen::VectorXd& amplitude() const { return amplitude_; }  // of the modes [m]
-  int oscillators() const { return oscillators_; }
+  int oscillators() const { return static_cast<int>(oscillators_.size()); }
 
  private:
+  void swing(const Eigen::VectorXd& impulse, double dt);  // moves the oscillators [N s], [s]
+  void relax();                                           // moves the static modes
+
   fem::ReducedBody body_;
   ExchangeSettings settings_;
   Eigen::VectorXd gain_;       // bed stiffness / modal stiffness [-]
-  Eigen::VectorXd amplitude_, velocity_;  // [m], [m/s]
+  std::vector<Eigen::Index> oscillators_, statics_;  // the modes of either kind
+  Eigen::MatrixXd swinging_, following_;  // their shapes at the nodes [-]
+  Eigen::VectorXd amplitude_, velocity_;  // of all modes [m], [m/s]
+  Eigen::VectorXd gathered_;   // impulse since the last exchange [N s]
+  Eigen::VectorXd static_velocity_;       // of the nodes until the next exchange [m/s]
   double bed_stiffness_;       // bound [N/m]
-  double gathered_ = 0;        // time since the last exchange [s]
+  double span_ = 0;            // time since the last exchange [s]
   int waited_ = 0;             // steps since the last exchange
-  int oscillators_ = 0;        // modes that move with inertia
 };
 
 // The points at which a reduced body must be sampled for a wall's letterbox: (3, nodes) [m].

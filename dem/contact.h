@@ -1,7 +1,7 @@
 // What a contact law sees of two bodies that meet, and what it answers.
 //
-// T is a double (one contact) or a Pack (eight contacts). Quantities are of the first body relative to
-// the second; for a wall contact the second body is the wall.
+// T is a double (one contact) or a Pack (eight contacts). Quantities are of the first body relative
+// to the second; for a wall contact the second body is the wall.
 #pragma once
 
 #include <cstddef>
@@ -40,8 +40,8 @@ T overlap_ahead(const Contact<T>& contact) {
   return contact.overlap + larger(contact.closing, T(0.0)) * contact.horizon;
 }
 
-// A vector of the contact plane carried along with the contact frame: turned, right to second order in
-// the rotation angle, then cleared of what left the plane.
+// A vector of the contact plane carried along with the contact frame: turned, right to second order
+// in the rotation angle, then cleared of what left the plane.
 template <class T>
 Vec3<T> carried(const Vec3<T>& v, const Contact<T>& contact) {
   const Vec3<T> arc = cross(contact.turn, v);

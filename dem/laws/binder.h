@@ -2,12 +2,13 @@
 //   G(t) = G0 [ g + sum A_i exp(-t/tau_i) ],  g = 1 - sum A_i,  A_i = bitumen fraction x alpha_i.
 //
 // Normal: Lee & Radok (1960), F = K int G(t-s) dH, H = h^1.5, by the recursion that is exact for H
-// piecewise linear in time. Once pressed, shells are bonded: below h = 0 the odd extension H = -|h|^1.5
-// carries tension until F = -F_min, where the bond breaks and its history is forgotten. While shells
-// are still pressed the tension is limited to F_min without breaking.
-// Shear: thin film, T = 1/b int G(t-s) A ds with A = pi R0 h, in stick between stones; on a wall it may
-// slip at friction x push. History shrinks with area and slip, so that a film that has parted carries
-// nothing and a closed cycle creates no energy.
+// piecewise linear in time. Once pressed, shells are bonded: below h = 0 the odd extension
+// H = -|h|^1.5 carries tension until F = -F_min, where the bond breaks and its history is
+// forgotten. While shells are still pressed the tension is limited to F_min without breaking.
+//
+// Shear: thin film, T = 1/b int G(t-s) A ds with A = pi R0 h, in stick between stones; on a wall it
+// may slip at friction x push. History shrinks with area and slip, so that a film that has parted
+// carries nothing and a closed cycle creates no energy.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +32,8 @@ struct Binder {
   double normal_factor;              // K / sqrt(R0): 8/3 for a pair, 16/3 at a rigid wall [-]
   double film;                       // b: 2t for a pair, t at a wall [m]
   Bond bond;
-  double friction = std::numeric_limits<double>::max();  // at which the film slips [-]
+  // At which the film slips; its largest value is never [-].
+  double friction = std::numeric_limits<double>::max();
 
   // Written by set_time_step.
   double relaxed = 1;                     // g [-]
@@ -42,11 +44,11 @@ struct Binder {
 
   template <class T>
   struct Memory {
-    T bonded;                            // 1 since the shells were pressed, 0 otherwise
-    T root;                              // sign(h) sqrt|h| of the previous step [m^0.5]
-    std::array<T, Terms> push;           // transient part of H of each term [m^1.5]
-    Vec3<T> film;                        // int A ds [m3]
-    std::array<Vec3<T>, Terms> shear;    // its transient part of each term [m3]
+    T bonded;                          // 1 since the shells were pressed, 0 otherwise
+    T root;                            // sign(h) sqrt|h| of the previous step [m^0.5]
+    std::array<T, Terms> push;         // transient part of H of each term [m^1.5]
+    Vec3<T> film;                      // int A ds [m3]
+    std::array<Vec3<T>, Terms> shear;  // its transient part of each term [m3]
   };
 
   template <class T>
@@ -67,7 +69,7 @@ struct Binder {
   template <class T>
   Response<T> operator()(const Contact<T>& contact, Memory<T>& memory) const {
     using std::sqrt;
-    const T zero(0.0);
+    const T zero(0.0), tiny(1e-300);
     const T h = contact.overlap;
     const auto pulled = h <= zero;
     const auto strange = pulled & (memory.bonded <= T(0.5));  // not pressed, now or before
@@ -88,8 +90,9 @@ struct Binder {
     const T push = select(parted, zero, larger(elastic, limit));
 
     const T area = T(std::numbers::pi) * contact.outer_radius * larger(h, zero);
-    const T old_area = T(std::numbers::pi) * contact.outer_radius * larger(old * magnitude(old), zero);
-    const T kept = smaller(area / larger(old_area, T(1e-300)), T(1.0));
+    const T old_area =
+        T(std::numbers::pi) * contact.outer_radius * larger(old * magnitude(old), zero);
+    const T kept = smaller(area / larger(old_area, tiny), T(1.0));
     const Vec3<T> slid = contact.sliding * area;
     memory.film = carried(memory.film, contact) * kept + slid;
     Vec3<T> shear = memory.film * T(relaxed);
@@ -100,8 +103,9 @@ struct Binder {
     }
     shear = shear * T(-modulus / film);
     const T pull = sqrt(dot(shear, shear));
-    const T hold = T(friction) * larger(push, zero);
-    const T stick = select(pull > hold, hold / larger(pull, T(1e-300)), T(1.0));
+    // A friction that is never overcome holds a film without push, too: 1e308 x 1e-300.
+    const T hold = T(friction) * larger(push, tiny);
+    const T stick = select(pull > hold, hold / larger(pull, tiny), T(1.0));
     shear = shear * stick;
     memory.film = memory.film * stick;
     for (Vec3<T>& transient : memory.shear) transient = transient * stick;
@@ -110,9 +114,8 @@ struct Binder {
     memory.bonded = T(1.0);
     forget<T>(parted, memory);
     const T ahead = larger(overlap_ahead(contact), select(strange, zero, size * size));
-    const T stiffness =
-        larger(T(1.5) * factor * sqrt(ahead),
-               T(modulus / film * std::numbers::pi) * contact.outer_radius * ahead);
+    const T stiffness = larger(T(1.5) * factor * sqrt(ahead),
+                               T(modulus / film * std::numbers::pi) * contact.outer_radius * ahead);
     return {push, zero, select(parted, Vec3<T>{zero, zero, zero}, shear), stiffness};
   }
 };

@@ -1,5 +1,5 @@
-// Adhesion of two binder shells that were pressed together: the pull-off force of Johnson, Kendall &
-// Roberts (1971), F_min = 3/2 pi w R0, used as a limit on tension.
+// Adhesion of two binder shells that were pressed together: the pull-off force of Johnson, Kendall
+// & Roberts (1971), F_min = 3/2 pi w R0, used as a limit on tension.
 #pragma once
 
 #include <numbers>

@@ -1,5 +1,5 @@
-// Stone contact whose stones may break: the contact law of `Stone`, made softer by what fracture has
-// done to either stone (see dem/fracture.h for when a stone breaks and how soft it becomes).
+// Stone contact whose stones may break: the contact law of `Stone`, made softer by what fracture
+// has done to either stone (see dem/fracture.h for when a stone breaks and how soft it becomes).
 #pragma once
 
 #include "dem/contact.h"
@@ -9,7 +9,8 @@ namespace dem {
 template <class Stone>
 struct Fracture {
   Stone stone;
-  double stone_share = 1;  // stone's part of the contact compliance: 1 for a pair, less at a wall [-]
+  double stone_share =
+      1;  // stone's part of the contact compliance: 1 for a pair, less at a wall [-]
 
   static constexpr bool breaks = true;
 

@@ -1,6 +1,6 @@
-// Elastic normal contact of bare stones: Hertz (1882), F = 4/3 E0 sqrt(R0) d^1.5, with the damping of
-// Tsuji et al. (1992) if the stones have a restitution. Stones never pull: damping ends an impact where
-// it would outweigh the spring.
+// Elastic normal contact of bare stones: Hertz (1882), F = 4/3 E0 sqrt(R0) d^1.5, with the damping
+// of Tsuji et al. (1992) if the stones have a restitution. Stones never pull: damping ends an
+// impact where it would outweigh the spring.
 #pragma once
 
 #include <cmath>
@@ -45,8 +45,8 @@ struct Hertz {
 
 // beta of a coefficient of restitution e in (0, 1], for impacts of any speed: the root of
 //   -ln e = 2 beta arccos(beta) / sqrt(1 - beta^2)   (beta < 1; arcosh and beta^2 - 1 beyond).
-// Schwager & Poeschel (2007) have it for a linear spring and dashpot that never pull; y = d^(5/4) carries
-// it over to Hertz and Tsuji (Antypov & Elliott 2011).
+// Schwager & Poeschel (2007) have it for a linear spring and dashpot that never pull; y = d^(5/4)
+// carries it over to Hertz and Tsuji (Antypov & Elliott 2011).
 inline double damping_ratio(double restitution) {
   const double wanted = -std::log(restitution);
   const auto loss = [](double beta) {

@@ -1,6 +1,7 @@
-// Tangential contact of bare stones: incremental spring of stiffness 8 G* a (Mindlin 1949), whose force
-// falls as its stiffness does, by a shrinking contact or a breaking stone, so that a closed cycle
-// creates no energy (Thornton et al. 2013, 2.3), with the Coulomb limit mu F on the stone force only.
+// Tangential contact of bare stones: incremental spring of stiffness 8 G* a (Mindlin 1949), whose
+// force falls as its stiffness does, by a shrinking contact or a breaking stone, so that a closed
+// cycle creates no energy (Thornton et al. 2013, 2.3), with the Coulomb limit mu F on the stone
+// force only.
 #pragma once
 
 #include "dem/contact.h"
@@ -11,9 +12,9 @@ namespace dem {
 template <class Normal = Hertz<>>
 struct Mindlin {
   Normal normal;
-  double shear_modulus;     // G*, 1/G* = sum of (2 - nu)/G [Pa]
-  double friction;          // mu [-]
-  double gap = 0;           // overlap of the shells at which the stones touch: 2t, t at a wall [m]
+  double shear_modulus;  // G*, 1/G* = sum of (2 - nu)/G [Pa]
+  double friction;       // mu [-]
+  double gap = 0;        // overlap of the shells at which the stones touch: 2t, t at a wall [m]
 
   static constexpr bool breaks = false;
 

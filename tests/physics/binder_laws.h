@@ -14,8 +14,12 @@ inline constexpr double pair_factor = 8.0 / 3.0, wall_factor = 16.0 / 3.0;
 
 // Olsson, Jelagin, Partl, Table 1, 150 degC.
 inline Binder<2> hot_binder(double bitumen_fraction, double bond_energy = 0) {
-  return {6.65e6, {bitumen_fraction * 0.513, bitumen_fraction * 0.487}, {0.0948, 105.9},
-          pair_factor, 1e-3, {bond_energy}};
+  return {6.65e6,
+          {bitumen_fraction * 0.513, bitumen_fraction * 0.487},
+          {0.0948, 105.9},
+          pair_factor,
+          1e-3,
+          {bond_energy}};
 }
 
 // G(t) / G0.

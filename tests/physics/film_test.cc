@@ -93,6 +93,33 @@ TEST(film, a_stretched_bond_carries_no_shear) {
   EXPECT_EQ(contact.move(deep, 1e-3).shear.x, 0);
 }
 
+TEST(film, a_pair_sticks_although_it_is_pulled) {
+  // From the law: no friction limit between stones; tension from relaxation inside h > 0 leaves the
+  // film and its force alone.
+  const Binder<2> law = hot_binder(1, 1e4);
+  auto contact = contact_of(law);
+  contact.move(deep, 0);
+  contact.move(deep, 1000);
+  EXPECT_LT(contact.move(0.5 * deep, 0).push, 0);
+  const double whole = stiffness(law, 0.5 * deep) * slide;
+  EXPECT_NEAR(-contact.move(0.5 * deep, 0, {slide, 0, 0}).shear.x / whole, 1, 1e-12);
+}
+
+TEST(film, a_film_on_a_wall_slips_at_its_friction) {
+  // From the law: |T| <= mu x push, along the last sliding; turned back, the film unloads with the
+  // stiffness G0 A / b, and none of it is left when the push is gone.
+  Binder<2> law = hot_binder(0);
+  law.friction = 0.3;
+  auto contact = contact_of(law);
+  const double push = contact.move(deep, 0).push;
+  for (int n = 0; n < 40; ++n) contact.move(deep, 1e-3, {slide, 0, 0});
+  EXPECT_NEAR(contact.move(deep, 1e-3, {slide, 0, 0}).shear.x / (-0.3 * push), 1, 1e-12);
+  EXPECT_NEAR(contact.move(deep, 1e-3, {-0.1 * slide, 0, 0}).shear.x,
+              -0.3 * push + 0.1 * slide * stiffness(law, deep), 1e-9);
+  contact.move(0, 1e-3);
+  EXPECT_EQ(contact.move(deep, 1e-3).shear.x, 0);
+}
+
 TEST(film, half_the_thickness_is_twice_the_stiffness) {
   // Closed form: G A / b; at a wall b = t, half that of a pair.
   Binder<2> wall = hot_binder(0.43);

@@ -79,7 +79,8 @@ double turning_error(const Vec3d& axis, double angle, int steps) {
 TEST(frame, a_carried_vector_is_turned_to_second_order) {
   // Closed form: rotation by an angle about an axis (Rodrigues 1840), for a vector of the contact
   // plane, whether it rolls over, twists, or both: the error of 1 rad in n steps falls as 1/n2.
-  for (const Vec3d& axis : {Vec3d{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.6, 0, 0.8}, {-0.6, 0.48, 0.64}}) {
+  for (const Vec3d& axis :
+       {Vec3d{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.6, 0, 0.8}, {-0.6, 0.48, 0.64}}) {
     const auto error = [&](int steps) {
       const Eigen::Vector3d unit(axis.x, axis.y, axis.z);
       const Eigen::AngleAxisd step(1.0 / steps, unit), whole(1, unit);
@@ -127,8 +128,7 @@ TEST(frame, the_force_on_a_bound_pair_leaves_its_linear_and_angular_momentum_alo
   const SlotForce& slot = pair.slot();
   const ParticleStore& stones = pair.stones();
   Vec3d torque = {0, 0, 0};
-  for (int k = 0; k < 2; ++k)
-    torque += slot.moment * (stones.outer_radius(k) - slot.half_overlap);
+  for (int k = 0; k < 2; ++k) torque += slot.moment * (stones.outer_radius(k) - slot.half_overlap);
   const Vec3d apart = pair.normal() * norm(stones.position[0] - stones.position[1]);
   const Vec3d couple = cross(apart, slot.force);
   EXPECT_NEAR(norm(torque + couple) / norm(torque), 0, 1e-12);

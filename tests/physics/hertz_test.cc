@@ -13,7 +13,9 @@ constexpr Material granite = {74e9, 0.15}, steel = {210e9, 0.3};
 
 Mindlin<> law_of(const Material& one, const Material& other, double gap = 0) {
   return {{1 / (normal_compliance(one) + normal_compliance(other))},
-          1 / (shear_compliance(one) + shear_compliance(other)), 0.7, gap};
+          1 / (shear_compliance(one) + shear_compliance(other)),
+          0.7,
+          gap};
 }
 
 TEST(hertz, the_reduced_moduli_are_those_of_granite_and_steel) {
@@ -46,7 +48,8 @@ TEST(hertz, stones_meet_where_their_shells_are_squeezed_out) {
   EXPECT_EQ(contact.move(gap, 1e-6).push, 0);
   EXPECT_EQ(contact.move(0.5 * gap, 1e-6).stone, 0);
   const auto at = contact.move(gap + d, 1e-6);
-  const double exact = 4.0 / 3 * law_of(granite, granite).normal.modulus * std::sqrt(stone) * std::pow(d, 1.5);
+  const double exact =
+      4.0 / 3 * law_of(granite, granite).normal.modulus * std::sqrt(stone) * std::pow(d, 1.5);
   EXPECT_NEAR(at.push / exact, 1, 1e-10);  // gap + d - gap loses three digits of d
   EXPECT_EQ(at.push, at.stone);
 }

@@ -1,6 +1,8 @@
 // One impact of dry stones, integrated by the simulation itself: two spheres, or one and a plane.
 #pragma once
 
+#include <omp.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -15,22 +17,23 @@ namespace dem {
 using ImpactLaw = Mindlin<Hertz<Damping::restitution>>;
 
 struct Sphere {
-  double radius;            // [m]
-  Vec3d velocity, spin{};   // before the impact [m/s], [rad/s]
+  double radius;           // [m]
+  Vec3d velocity, spin{};  // before the impact [m/s], [rad/s]
 };
 
 struct ImpactCase {
-  Material material;        // of both bodies, of the sphere alone at a rigid plane
-  double density;           // [kg/m3]
+  Material material;  // of both bodies, of the sphere alone at a rigid plane
+  double density;     // [kg/m3]
   double restitution, friction;
-  std::vector<Sphere> spheres;  // one meets the plane z = 0; two meet each other along z, the first above
-  int steps = 2000;         // per contact duration of Hertz
+  std::vector<Sphere>
+      spheres;       // one meets the plane z = 0; two meet each other along z, the first above
+  int steps = 2000;  // per contact duration of Hertz
 };
 
 struct Outcome {
-  double force = 0;         // largest normal force [N]
-  double overlap = 0;       // largest [m]
-  double duration = 0;      // of the contact [s]
+  double force = 0;                   // largest normal force [N]
+  double overlap = 0;                 // largest [m]
+  double duration = 0;                // of the contact [s]
   std::vector<Vec3d> velocity, spin;  // afterwards, by sphere [m/s], [rad/s]
 };
 
@@ -63,6 +66,7 @@ inline HertzImpact hertz_impact(const ImpactCase& impact, double v) {
 }
 
 inline Outcome collide(const ImpactCase& impact) {
+  omp_set_num_threads(1);  // more would only wait for each other
   const bool pair = impact.spheres.size() == 2;
   const auto& spheres = impact.spheres;
   const double v = pair ? spheres[1].velocity.z - spheres[0].velocity.z : -spheres[0].velocity.z;

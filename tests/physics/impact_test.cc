@@ -1,4 +1,5 @@
-// The eight impacts of Chung & Ooi (2011), Granular Matter 13, 643-656, integrated by the simulation.
+// The eight impacts of Chung & Ooi (2011), Granular Matter 13, 643-656, integrated by the
+// simulation.
 #include "tests/physics/impact.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +24,8 @@ double degrees(double angle) {
 TEST(impact, two_spheres_compress_each_other_as_hertz_says) {
   // Test 1. Closed form: Hertz (1882); peak force, approach and duration by Chung & Ooi's inputs.
   const auto check = [](const Material& material, double density, const HertzImpact& known) {
-    const ImpactCase impact = {material, density, 1, 0.35, {{10e-3, {0, 0, -10}}, {10e-3, {0, 0, 10}}}};
+    const ImpactCase impact = {
+        material, density, 1, 0.35, {{10e-3, {0, 0, -10}}, {10e-3, {0, 0, 10}}}};
     const Outcome after = collide(impact);
     EXPECT_NEAR(after.force / known.force, 1, 1e-3);
     EXPECT_NEAR(after.overlap / known.overlap, 1, 1e-3);
@@ -48,8 +50,8 @@ TEST(impact, a_sphere_compresses_a_plane_as_hertz_says) {
 }
 
 TEST(impact, a_stone_rebounds_with_its_restitution) {
-  // Test 3, and beyond it: e_out = e_in for any e and any speed (Schwager & Poeschel 2007, Antypov &
-  // Elliott 2011). Damping takes velocities half a step late, 2e-4 of e at two thousand steps.
+  // Test 3, and beyond it: e_out = e_in for any e and any speed (Schwager & Poeschel 2007, Antypov
+  // & Elliott 2011). Damping takes velocities half a step late, 2e-4 of e at two thousand steps.
   for (const double speed : {0.039, 3.9})
     for (const double e : {0.001, 0.1, 0.13, 0.14, 0.2, 0.4, 0.6, 0.8, 1.0})
       for (const auto& [material, density] :
@@ -137,12 +139,13 @@ TEST(impact, a_sphere_that_sticks_rebounds_nearer_to_finite_elements_than_an_uns
 }
 
 TEST(impact, a_spinning_sphere_on_a_plane_is_slowed_by_friction) {
-  // Test 6. Closed form, sliding throughout: slip after / slip before = 1 - 7/2 mu (1 + e) v_n / v_t.
-  // Our spring has to be loaded first, which takes 0.5 to 0.8 % of the friction impulse here.
+  // Test 6. Closed form, sliding throughout: slip after / slip before = 1 - 7/2 mu (1 + e) v_n /
+  // v_t. Our spring has to be loaded first, which takes 0.5 to 0.8 % of the friction impulse here.
   for (const auto& [material, density] : {std::pair{aluminium_alloy, 2699.0}, {nylon, 1000.0}})
     for (const double ratio : {6.0, 10.0, 20.0}) {
       const double r = 0.1, vt = ratio * 0.2;
-      const Outcome after = collide({material, density, 0.5, 0.4, {{r, {0, 0, -0.2}, {0, -vt / r, 0}}}});
+      const Outcome after =
+          collide({material, density, 0.5, 0.4, {{r, {0, 0, -0.2}, {0, -vt / r, 0}}}});
       const double left = (after.velocity[0].x - r * after.spin[0].y) / vt;
       EXPECT_NEAR((1 - left) / (3.5 * 0.4 * 1.5 / ratio), 1, one_percent);
     }
@@ -151,8 +154,12 @@ TEST(impact, a_spinning_sphere_on_a_plane_is_slowed_by_friction) {
 TEST(impact, spheres_that_roll_on_each_other_keep_their_spin) {
   // Test 7. Closed form: opposite spins of equal spheres leave no slip velocity, so no friction.
   for (const auto& [material, density] : {std::pair{aluminium_alloy, 2699.0}, {copper, 8900.0}}) {
-    const Outcome after = collide(
-        {material, density, 0.5, 0.4, {{0.1, {0, 0, -0.2}, {0, 3, 0}}, {0.1, {0, 0, 0.2}, {0, -3, 0}}}});
+    const Outcome after =
+        collide({material,
+                 density,
+                 0.5,
+                 0.4,
+                 {{0.1, {0, 0, -0.2}, {0, 3, 0}}, {0.1, {0, 0, 0.2}, {0, -3, 0}}}});
     EXPECT_NEAR(after.velocity[0].x, 0, 1e-12);
     EXPECT_NEAR(after.spin[0].y, 3, 1e-12);
     EXPECT_NEAR(after.spin[1].y, -3, 1e-12);
@@ -160,12 +167,16 @@ TEST(impact, spheres_that_roll_on_each_other_keep_their_spin) {
 }
 
 TEST(impact, a_spinning_sphere_drags_one_of_another_size_by_friction) {
-  // Test 8. Closed form: as test 6 with the reduced mass, whatever the ratio of sizes; here 1, 2, 5.
+  // Test 8. Closed form: as test 6 with the reduced mass, whatever the ratio of sizes; here 1,
+  // 2, 5.
   for (const auto& [material, density] : {std::pair{aluminium_alloy, 2699.0}, {nylon, 1000.0}})
     for (const double size : {1.0, 2.0, 5.0})
       for (const double ratio : {6.0, 12.0}) {
         const double r = 0.1, other = size * r, vt = ratio * 0.2;
-        const Outcome after = collide({material, density, 0.5, 0.4,
+        const Outcome after = collide({material,
+                                       density,
+                                       0.5,
+                                       0.4,
                                        {{r, {0, 0, -0.2}, {0, -vt / r, 0}}, {other, {0, 0, 0}}}});
         const double slip = after.velocity[0].x - after.velocity[1].x -
                             (r * after.spin[0].y + other * after.spin[1].y);

@@ -13,9 +13,9 @@ namespace dem {
 namespace {
 
 constexpr Material granite = {74e9, 0.15};
-constexpr double r0 = 1e-3;     // [m]
-constexpr double d = 10e-6;     // [m]
-constexpr double dt = 1e-6;     // [s]
+constexpr double r0 = 1e-3;       // [m]
+constexpr double d = 10e-6;       // [m]
+constexpr double dt = 1e-6;       // [s]
 constexpr double sticking = 1e6;  // a friction that no test here overcomes [-]
 
 Mindlin<> law_of(double friction) {

@@ -61,8 +61,9 @@ struct Loop {
 };
 
 // Drives a contact that nobody has touched along two turns of a random loop. The work put into it
-// never falls below zero if the law is passive: from nothing, nothing can be taken out. The trapezoidal
-// rule leaves one step's worth of work open wherever a bond breaks, and a hundredth of that elsewhere.
+// never falls below zero if the law is passive: from nothing, nothing can be taken out. The
+// trapezoidal rule leaves one step's worth of work open wherever a bond breaks, and a hundredth of
+// that elsewhere.
 template <class Law>
 void expect_passive(const Law& law, double radius, const Loop& loop, Dice& dice,
                     const std::string& what) {
@@ -110,6 +111,7 @@ Binder<Terms> any_binder(Dice& dice, double shell) {
   }
   law.normal_factor = dice.between(0, 1) < 0.5 ? pair_factor : wall_factor;
   law.film = law.normal_factor == pair_factor ? 2 * shell : shell;
+  if (law.normal_factor == wall_factor) law.friction = dice.between(0, 1.5);
   law.bond.energy = dice.between(0, 1) < 0.3 ? 0 : dice.decade(1, 1e5);
   return law;
 }
@@ -117,8 +119,10 @@ Binder<Terms> any_binder(Dice& dice, double shell) {
 template <class Law>
 Law any_stone(Dice& dice, double gap) {
   const Material material = {dice.decade(1e8, 1e11), dice.between(0, 0.49)};
-  Law law = {{0.5 / normal_compliance(material)}, 0.5 / shear_compliance(material),
-             dice.between(0, 1.5), gap};
+  Law law = {{0.5 / normal_compliance(material)},
+             0.5 / shear_compliance(material),
+             dice.between(0, 1.5),
+             gap};
   law.normal.damping_ratio = damping_ratio(dice.between(0.01, 1));
   return law;
 }
@@ -167,7 +171,8 @@ TEST(passivity, no_loop_takes_energy_out_of_stones_in_their_shells) {
     const Binder<3> binder = any_binder<3>(dice, shell);
     const Stone stone = any_stone<Stone>(dice, binder.film);
     const double depth = binder.film * dice.decade(1e-4, 1);
-    const Loop loop = {binder.film - 0.5 * depth, depth + binder.film, depth, dice.decade(1e-5, 1e3)};
+    const Loop loop = {binder.film - 0.5 * depth, depth + binder.film, depth,
+                       dice.decade(1e-5, 1e3)};
     expect_passive(Sum<Stone, Binder<3>>{stone, binder}, radius, loop, dice,
                    "seed " + std::to_string(seed));
   }

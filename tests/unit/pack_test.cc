@@ -113,8 +113,8 @@ Contact<T> contact_at_rest() {
 }
 
 TEST(pack, a_contact_law_answers_eight_contacts_as_it_answers_one) {
-  // Reference: the same law with T = double. The compiler fuses multiplications and additions of the
-  // two differently, which costs a few units of the last place at each of 300 steps.
+  // Reference: the same law with T = double. The compiler fuses multiplications and additions of
+  // the two differently, which costs a few units of the last place at each of 300 steps.
   using Law = Sum<Fracture<Mindlin<Hertz<Damping::restitution>>>, Binder<2>>;
   Law law = {{{{3.8e10, 0.3}, 8e9, 0.7, 1e-3}, 0.75},
              {6.65e6, {0.2, 0.3}, {0.09, 106}, 8.0 / 3, 1e-3, {1e3}}};
@@ -131,7 +131,8 @@ TEST(pack, a_contact_law_answers_eight_contacts_as_it_answers_one) {
   int held = 0, parted = 0;
   for (int n = 0; n < 300; ++n) {
     for (int k = 0; k < lanes; ++k) {
-      const Draw draw = {between(-1.5e-3, 1.01e-3), between(-1, 1),
+      const Draw draw = {between(-1.5e-3, 1.01e-3),
+                         between(-1, 1),
                          {between(-1e-2, 1e-2), between(-1e-2, 1e-2), between(-1e-2, 1e-2)},
                          {between(-1e-5, 1e-5), between(-1e-5, 1e-5)}};
       set(all, k, draw);

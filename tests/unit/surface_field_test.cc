@@ -124,7 +124,8 @@ TEST(surface_field, what_is_read_and_what_is_written_are_transposes) {
       field.add_impulse(s, force);
     }
     double inside = 0;
-    for (std::size_t n = 0; n < field.size(); ++n) inside += dot(field.impulse[n], field.velocity[n]);
+    for (std::size_t n = 0; n < field.size(); ++n)
+      inside += dot(field.impulse[n], field.velocity[n]);
     EXPECT_NEAR(inside, outside, 1e-12 * static_cast<double>(points.size()));
   };
   check(disc(), disc_points());

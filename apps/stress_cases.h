@@ -1,0 +1,26 @@
+// The validation cases of the steel, by what bears the load.
+#pragma once
+
+#include "apps/stress_case.h"
+#include "apps/stress_report.h"
+
+namespace apps {
+
+StressReport load_mould(const StressCase& given);        // pressure, band, ovalling
+StressReport load_head(const StressCase& given);         // plate_pressure, eccentric, point
+StressReport press_one_stone(const StressCase& given);   // stones, count = 1
+StressReport settle_column(const StressCase& given);     // stones, count > 1
+
+// Hoop stress [Pa] at each node of a mould, and these as an unrolled map of the inner face with the
+// traction [Pa] that presses on it.
+Eigen::VectorXd hoop_stress(const fem::ElasticBody& body, const Eigen::VectorXd& displacement);
+
+inline StressReport run_stress_case(const StressCase& given) {
+  if (given.load.kind == "stones")
+    return given.stones.count == 1 ? press_one_stone(given) : settle_column(given);
+  const bool head = given.load.kind == "plate_pressure" || given.load.kind == "eccentric" ||
+                    given.load.kind == "point";
+  return head ? load_head(given) : load_mould(given);
+}
+
+}  // namespace apps

@@ -1,0 +1,94 @@
+// Validates the stresses and displacements of the steel: runs cases with known answers, prints what
+// was computed beside what was expected, and fails if a row does.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+
+#include "apps/errors.h"
+#include "apps/stress_cases.h"
+#include "dem/trouble.h"
+
+namespace {
+
+constexpr int a_row_fails = 1;
+
+struct Options {
+  std::vector<std::string> cases, overrides;
+  std::string folder;
+  bool all = false, json = false;
+};
+
+std::vector<std::string> shipped_cases() {
+  std::vector<std::string> paths;
+  for (const auto& entry : std::filesystem::directory_iterator(WALL_CASES))
+    if (entry.path().extension() == ".toml") paths.push_back(entry.path().string());
+  std::ranges::sort(paths);
+  return paths;
+}
+
+int validate(const Options& options) {
+  std::vector<apps::StressCase> cases;
+  for (const std::string& path : options.cases)
+    cases.push_back(apps::read_stress_case(path, options.overrides));
+  if (!options.folder.empty()) {
+    std::error_code error;
+    std::filesystem::create_directories(options.folder, error);
+    if (error) throw apps::OutputError(options.folder + ": cannot be created: " + error.message());
+  }
+  std::vector<apps::StressRow> rows;
+  bool pass = true;
+  for (const apps::StressCase& given : cases) {
+    const apps::StressReport report = apps::run_stress_case(given);
+    if (!options.json)
+      std::cout << apps::as_table(given.name() + " (" + given.load.kind + ")", report.rows)
+                << std::endl;
+    if (!options.folder.empty()) apps::draw(report, options.folder, given.name());
+    rows.insert(rows.end(), report.rows.begin(), report.rows.end());
+    pass = pass && report.pass();
+  }
+  if (options.json) std::cout << apps::as_json(rows);
+  return pass ? apps::ok : a_row_fails;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app("Validates the stresses of mould and head against known answers; status 1 if a row fails.");
+  app.add_option("case", options.cases, "case files (TOML)");
+  app.add_flag("--all", options.all, "run every case that comes with the program");
+  app.add_flag("--json", options.json, "print the rows as JSON");
+  app.add_option("--out", options.folder,
+                 "folder for pictures: deformed bodies (.vtu), unrolled maps (.csv, see stress_maps.py)");
+  app.add_option("--set", options.overrides, "key=value: overrides any key of the cases")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? apps::ok : apps::bad_input;
+  }
+  if (options.all == !options.cases.empty()) {
+    std::cerr << "expected case files or --all, found " << (options.all ? "both" : "neither")
+              << "; give one of the two\n";
+    return apps::bad_input;
+  }
+  if (options.all) options.cases = shipped_cases();
+  try {
+    return validate(options);
+  } catch (const apps::InputError& error) {
+    for (const std::string& line : error.mistakes) std::cerr << line << '\n';
+    return apps::bad_input;
+  } catch (const dem::NumericalTrouble& trouble) {
+    std::cerr << "stopped: stone " << trouble.stone << ", time " << trouble.time
+              << " s: " << trouble.what() << " = " << trouble.value << '\n';
+    return apps::numerical_trouble;
+  } catch (const apps::OutputError& error) {
+    std::cerr << error.what() << '\n';
+    return apps::output_trouble;
+  }
+}

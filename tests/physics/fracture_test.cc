@@ -1,0 +1,133 @@
+#include "dem/fracture.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "dem/laws/fracture.h"
+#include "dem/laws/mindlin.h"
+#include "dem/simulation.h"
+#include "tests/physics/one_contact.h"
+
+namespace dem {
+namespace {
+
+using Law = Fracture<Mindlin<>>;
+constexpr Mindlin<> stone = {{3.8e10}, 8e9, 0.7};
+constexpr Crack crack = {0, 0, 50e6, {0, 0, 1}, 200};
+
+TEST(fracture, a_cracked_stone_that_nothing_clamps_keeps_its_residual_stiffness) {
+  // Limit of the rule: C = 0, loads along the crack included.
+  const FractureRule rule;
+  EXPECT_EQ(stiffness_share(rule, crack, {}), rule.residual);
+  EXPECT_NEAR(stiffness_share(rule, crack, {{{0, 0, 1}, 1e6, 0}, {{0, 0, -1}, 1e6, 0}}),
+              rule.residual, 1e-12);
+}
+
+TEST(fracture, a_cracked_stone_clamped_hard_is_as_stiff_as_before) {
+  // Limit of the rule: C -> infinity, share -> 1 as 1 - (1 - residual) F_b / C.
+  const double clamp = 1e9;
+  const double share = stiffness_share({}, crack, {{{1, 0, 0}, clamp, 0}, {{-1, 0, 0}, clamp, 0}});
+  EXPECT_NEAR((1 - share) / (0.9 * crack.force / clamp), 1, 1e-6);
+}
+
+TEST(fracture, clamping_with_the_breaking_force_restores_half_of_what_was_lost) {
+  // Closed form: C = F_b gives residual + (1 - residual)/2; a pair of opposite forces F across the
+  // crack is C = F, at 45 degrees half of it.
+  const double half = stiffness_share({0.2}, crack, {{{1, 0, 0}, 200, 0}, {{-1, 0, 0}, 200, 0}});
+  EXPECT_NEAR(half, 0.2 + 0.8 / 2, 1e-12);
+  const double s = std::sqrt(0.5);
+  const double oblique =
+      stiffness_share({0.2}, crack, {{{s, 0, s}, 200, 0}, {{-s, 0, -s}, 200, 0}});
+  EXPECT_NEAR(oblique, 0.2 + 0.8 / 3, 1e-12);
+}
+
+TEST(fracture, more_clamping_never_makes_a_stone_softer) {
+  // From the rule: share rises with every load, and stays between residual and 1.
+  double before = 0;
+  std::vector<StoneLoad> loads;
+  for (int k = 0; k < 20; ++k) {
+    loads.push_back({{std::sin(k), 0, std::cos(k)}, 10.0 * k, 0});
+    const double share = stiffness_share({}, crack, loads);
+    EXPECT_GE(share, before);
+    EXPECT_LT(share, 1);
+    before = share;
+  }
+}
+
+TEST(fracture, the_crack_runs_along_the_most_crushing_load) {
+  // By definition: the largest F / R0^2, not the largest force.
+  const Crack made =
+      crack_of(7, 0.25, {{{1, 0, 0}, 500, 1e6}, {{0, 1, 0}, 100, 9e6}, {{0, 0, 1}, 300, 2e6}});
+  EXPECT_EQ(made.stone, 7u);
+  EXPECT_EQ(made.time, 0.25);
+  EXPECT_EQ(made.direction.y, 1);
+  EXPECT_EQ(made.force, 100);
+  EXPECT_EQ(made.crush, 9e6);
+}
+
+TEST(fracture, compliances_of_stone_and_wall_add_up) {
+  // Closed form: 1/E0 grows by (softness - 1) x the stone's part of it: F/F_whole = 1/softness for
+  // a pair, 1/(1 + share (softness - 1)) on a wall of which the stone is `share`.
+  const double whole = OneContact<Law>({stone}, 1e-3, 1e-3).move(10e-6, 1e-6).push;
+  for (const double softness : {1.0, 2.0, 10.0})
+    for (const double share : {1.0, 0.753, 0.0}) {
+      OneContact<Law> contact({stone, share}, 1e-3, 1e-3);
+      contact.soften(softness);
+      const auto at = contact.move(10e-6, 1e-6);
+      EXPECT_NEAR(at.push / whole, 1 / (1 + share * (softness - 1)), 1e-12);
+      EXPECT_EQ(at.stone, at.push);
+    }
+}
+
+// A stone squeezed between a fixed and a driven plate.
+Simulation<Law> squeeze(double strength) {
+  ParticleStore stones = make_stones({{0, 0, 4e-3}}, {4e-3}, 2650, 0, 1);
+  make_breakable(stones, {strength});
+  Settings settings;
+  settings.gravity = 0;
+  settings.largest_step = 2e-7;
+  settings.skin = 1e-3;
+  Simulation<Law> press(stones, {stone}, settings);
+  press.add_wall({"base", Plane{}, {}}, {stone});
+  Frame top;
+  top.origin = {0, 0, 8e-3};
+  top.ey = {0, -1, 0};
+  top.ez = {0, 0, -1};
+  press.add_wall({"top", Plane{}, top, Driven{{0, 0, -0.02}}}, {stone});
+  return press;
+}
+
+TEST(fracture, a_squeezed_stone_breaks_when_its_strength_is_reached_and_only_once) {
+  // Closed form: F = sigma_F R0^2, here 20 MPa x (4 mm)^2 = 320 N; the plates close by 0.4 nm a
+  // step, 0.1 N. Between two plates nothing clamps the crack, so that the stiffness falls to its
+  // residual tenth and the force with it.
+  Simulation<Law> press = squeeze(20e6);
+  double most = 0;
+  while (press.cracks().empty()) {
+    press.step();
+    most = std::max(most, press.walls()[0].push);
+    ASSERT_LT(press.time(), 5e-3);
+  }
+  EXPECT_NEAR(most, 320, 1);
+  EXPECT_NEAR(press.cracks()[0].force, 320, 1);
+  EXPECT_NEAR(std::abs(press.cracks()[0].direction.z), 1, 1e-12);
+  const double whole = most / std::pow(0.5 * 0.02 * press.time(), 1.5);
+  for (int n = 0; n < 2000; ++n) press.step();
+  EXPECT_NEAR(press.stones().softness[0], 10, 1e-3);
+  EXPECT_NEAR(press.walls()[0].push / std::pow(0.5 * 0.02 * press.time(), 1.5) / whole, 0.1, 0.01);
+  EXPECT_EQ(press.cracks().size(), 1u);
+}
+
+TEST(fracture, a_stone_below_its_strength_stays_whole) {
+  // By definition.
+  Simulation<Law> press = squeeze(20e6);
+  while (press.walls()[0].push < 300) press.step();
+  EXPECT_TRUE(press.cracks().empty());
+  EXPECT_EQ(press.stones().softness[0], 1);
+}
+
+}  // namespace
+}  // namespace dem

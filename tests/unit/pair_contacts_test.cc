@@ -1,0 +1,171 @@
+#include "dem/pair_contacts.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "dem/laws/binder.h"
+#include "dem/laws/mindlin.h"
+#include "dem/laws/sum.h"
+
+namespace dem {
+namespace {
+
+using Law = Sum<Mindlin<>, Binder<2>>;
+using Pairs = PairContacts<Law>;
+constexpr double dt = 1e-5;       // [s]
+constexpr double shell = 0.5e-3;  // [m]
+
+Law asphalt() {
+  Law law = {{{3.8e10}, 8e9, 0.7, 2 * shell},
+             {6.65e6, {0.2, 0.2}, {0.09, 106}, 8.0 / 3, 2 * shell, {1e4}}};
+  law.set_time_step(dt);
+  return law;
+}
+
+void list_pairs(Pairs& pairs, const ParticleStore& stones) {
+  std::vector<double> outer(stones.size());
+  for (std::size_t k = 0; k < outer.size(); ++k) outer[k] = stones.outer_radius(k);
+  NeighborList list;
+  list.build({stones.position, outer, stones.id}, 0.5e-3);
+  pairs.law = asphalt();
+  pairs.take(list);
+}
+
+// A loose cloud in which some overlap, some nearly touch, and all move and spin.
+ParticleStore cloud() {
+  std::mt19937 engine(1);
+  const auto any = [&] { return engine() / 4294967295.0 - 0.5; };
+  std::vector<Vec3d> position;
+  std::vector<double> radius;
+  for (int k = 0; k < 60; ++k) {
+    position.push_back({20e-3 * any(), 20e-3 * any(), 20e-3 * any()});
+    radius.push_back(2e-3 + 1e-3 * any());
+  }
+  ParticleStore stones = make_stones(position, radius, 2650, shell, 100);
+  for (std::size_t k = 0; k < stones.size(); ++k) {
+    stones.velocity[k] = {any(), any(), any()};
+    stones.spin[k] = {100 * any(), 100 * any(), 100 * any()};
+  }
+  return stones;
+}
+
+void drift(ParticleStore& stones) {
+  for (std::size_t k = 0; k < stones.size(); ++k) stones.position[k] += stones.velocity[k] * dt;
+}
+
+TEST(pair_contacts, eight_slots_at_a_time_are_answered_as_one_at_a_time) {
+  // Reference: the same text with T = double, over 50 steps of contacts that touch, slip and part;
+  // fused operations cost the last places.
+  ParticleStore stones = cloud();
+  Pairs fast, slow;
+  list_pairs(fast, stones);
+  list_pairs(slow, stones);
+  ASSERT_GE(fast.slots(), 50);
+  for (int n = 0; n < 50; ++n) {
+    const bool check = n % 7 == 0;
+    const Extremes at_fast = fast.evaluate<Pack>(stones, dt, check);
+    const Extremes at_slow = slow.evaluate<double>(stones, dt, check);
+    for (std::int64_t s = 0; s < fast.slots(); ++s) {
+      const double scale = 1e-10 * (1 + norm(slow.forces[s].force));
+      ASSERT_NEAR(norm(fast.forces[s].force - slow.forces[s].force), 0, scale);
+      ASSERT_NEAR(norm(fast.forces[s].moment - slow.forces[s].moment), 0, scale);
+    }
+    EXPECT_NEAR(at_fast.rate, at_slow.rate, 1e-10 * at_slow.rate);
+    EXPECT_EQ(at_fast.rate_slot, at_slow.rate_slot);
+    EXPECT_NEAR(at_fast.overlap, at_slow.overlap, 1e-10);
+    EXPECT_EQ(at_fast.overlap_slot, at_slow.overlap_slot);
+    drift(stones);
+  }
+  EXPECT_EQ(fast.touching(), slow.touching());
+  EXPECT_EQ(fast.held(), slow.held());
+}
+
+TEST(pair_contacts, looking_at_the_extremes_does_not_change_the_forces) {
+  // From the promise: same bits with a check and without.
+  const ParticleStore stones = cloud();
+  Pairs looking, blind;
+  list_pairs(looking, stones);
+  list_pairs(blind, stones);
+  looking.evaluate(stones, dt, true);
+  blind.evaluate(stones, dt, false);
+  for (std::int64_t s = 0; s < blind.slots(); ++s)
+    EXPECT_EQ(__builtin_memcmp(&looking.forces[s], &blind.forces[s], sizeof(SlotForce)), 0);
+}
+
+// Two stones on the z axis whose shells overlap by `overlap`.
+ParticleStore pair_at(double overlap) {
+  return make_stones({{0, 0, 0}, {0, 0, 5e-3 - overlap}}, {2e-3, 2e-3}, 2650, shell, 1);
+}
+
+TEST(pair_contacts, stones_that_only_come_near_feel_nothing) {
+  // By definition, although such pairs are listed and evaluated.
+  const ParticleStore stones = pair_at(-0.1e-3);
+  Pairs pairs;
+  list_pairs(pairs, stones);
+  ASSERT_EQ(pairs.slots(), 1);
+  for (const bool check : {true, false}) {
+    pairs.evaluate(stones, dt, check);
+    EXPECT_EQ(norm(pairs.forces[0].force), 0);
+    EXPECT_EQ(pairs.touching(), 0);
+    EXPECT_EQ(pairs.held(), 0);
+  }
+}
+
+TEST(pair_contacts, a_stretched_bond_pulls_although_the_shells_have_parted) {
+  // Closed form: -8/3 sqrt(R0) G0 |h|^1.5 for a fast pull; relaxation in 1e-5 s takes 1e-4 of it.
+  ParticleStore stones = pair_at(0.1e-3);
+  Pairs pairs;
+  list_pairs(pairs, stones);
+  pairs.evaluate(stones, dt, false);
+  EXPECT_EQ(pairs.touching(), 1);
+  EXPECT_EQ(pairs.held(), 1);
+  stones.position[1].z = 5.1e-3;
+  pairs.evaluate(stones, dt, false);
+  EXPECT_EQ(pairs.touching(), 0);
+  EXPECT_EQ(pairs.held(), 1);
+  const double towards_second = pairs.first(0) == 0 ? 1 : -1;
+  const double pull = 8.0 / 3 * std::sqrt(1.25e-3) * 6.65e6 * std::pow(0.1e-3, 1.5);
+  EXPECT_NEAR(pairs.forces[0].force.z * towards_second / pull, 1, 1e-4);
+}
+
+TEST(pair_contacts, rolling_without_slip_meets_no_resistance) {
+  // Closed form: surfaces that move alike, v = spin x arm, with arms to the middle of the overlap.
+  ParticleStore stones = pair_at(0.2e-3);
+  const double arm = 2.5e-3 - 0.1e-3;
+  stones.spin[0] = {0, 40, 0};
+  stones.spin[1] = {0, -40, 0};
+  Pairs pairs;
+  list_pairs(pairs, stones);
+  pairs.evaluate(stones, dt, false);
+  EXPECT_NEAR(pairs.forces[0].force.x, 0, 1e-12);
+  stones.spin[1] = {0, 0, 0};
+  stones.velocity[1] = {40 * arm, 0, 0};
+  pairs.evaluate(stones, dt, false);
+  EXPECT_NEAR(pairs.forces[0].force.x, 0, 1e-12);
+}
+
+TEST(pair_contacts, the_most_limiting_contact_is_that_of_the_lighter_stone) {
+  // Closed form: k / min(m_i, m_j) with k = 2 E0 a and scaled inertia, now and at the overlap that
+  // is ahead until the next look.
+  ParticleStore stones =
+      make_stones({{0, 0, 0}, {0, 0, 6.0e-3 - 10e-6}}, {2e-3, 4e-3}, 2650, 0, 10);
+  PairContacts<Mindlin<>> pairs;
+  NeighborList list;
+  list.build({stones.position, stones.radius, stones.id}, 0.1e-3);
+  pairs.law = {{3.8e10}, 8e9, 0.7};
+  pairs.take(list);
+  const Extremes at = pairs.evaluate(stones, dt, true);
+  const double a = std::sqrt(8e-3 / 6 * 10e-6);
+  EXPECT_NEAR(at.rate / (2 * 3.8e10 * a / (10 * stones.mass[0])), 1, 1e-9);
+  EXPECT_NEAR(at.overlap, 10e-6 / 2e-3, 1e-12);
+  stones.velocity[1] = {0, 0, -1};
+  const Extremes ahead = pairs.evaluate(stones, dt, true);
+  const double soon = std::sqrt(8e-3 / 6 * (10e-6 + check_interval * dt));
+  EXPECT_NEAR(ahead.rate / at.rate, soon / a, 1e-9);
+}
+
+}  // namespace
+}  // namespace dem
