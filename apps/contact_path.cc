@@ -128,7 +128,7 @@ void follow(const apps::Options& options) {
     using Shells = dem::Binder<apps::most_prony_terms>;
     rows = table(the_case, book.law<Shells>(counterpart, true));
   }
-  apps::write_whole_file(options.folder, rows);
+  apps::write_whole_file(options.out, rows);
 }
 
 }  // namespace
@@ -136,6 +136,6 @@ void follow(const apps::Options& options) {
 int main(int argc, char** argv) {
   return apps::run_program(argc, argv,
                            "Drives one contact along a path and writes its force as a table (CSV): "
-                           "force_N and its parts push the bodies apart, shear_N resists shear_m.",
+                           "force_N and its parts push the bodies apart, shear_N resists shear_m.", "path_forces.csv",
                            follow);
 }

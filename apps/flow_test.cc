@@ -19,9 +19,9 @@ void press(const apps::Options& options) {
 
   apps::use_threads(options, scene.stones.count);
   const double began = apps::wall_clock();
-  apps::claim_folder(options.folder);
+  apps::claim_folder(options.out);
   apps::with_law(book, [&]<class Law>() {
-    apps::Recorder recorder(options.folder + "/results.h5",
+    apps::Recorder recorder(options.out + "/results.h5",
                             apps::provenance("flow_test", options, scene.source.text, scene.run.seed),
                             apps::FlowRun<Law>::columns());
     apps::Progress progress(std::cout, isatty(STDOUT_FILENO), options.quiet);
@@ -30,8 +30,8 @@ void press(const apps::Options& options) {
     progress.finish();
     recorder.write("/stones/radius", mix.radius, "m");
     apps::Progress pressing(std::cout, isatty(STDOUT_FILENO), options.quiet);
-    run.press(recorder, options.folder, pressing);
-    apps::write_summary(options.folder + "/summary.json",
+    run.press(recorder, options.out, pressing);
+    apps::write_summary(options.out + "/summary.json",
                         run.findings(apps::wall_clock() - began));
   });
 }
@@ -39,6 +39,6 @@ void press(const apps::Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return apps::run_program(argc, argv, "Compaction flow test of hot asphalt mix in a rigid box.",
+  return apps::run_program(argc, argv, "Compaction flow test of hot asphalt mix in a rigid box.", "run",
                            press);
 }

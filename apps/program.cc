@@ -13,14 +13,13 @@
 
 namespace apps {
 
-int run_program(int argc, char** argv, const std::string& purpose,
+int run_program(int argc, char** argv, const std::string& purpose, const std::string& default_out,
                 const std::function<void(const Options&)>& body) {
   Options options;
   for (int k = 0; k < argc; ++k) options.command_line += (k ? " " : "") + std::string(argv[k]);
   CLI::App app(purpose);
   app.add_option("scene", options.scene, "scene file (TOML)")->required();
-  app.add_option("--out", options.folder, "folder for the results, created by the run")
-      ->default_val("run");
+  app.add_option("--out", options.out, "where the results go")->default_val(default_out);
   app.add_option("--set", options.overrides, "key=value: overrides any key of the scene")
       ->take_all()
       ->expected(1)

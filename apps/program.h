@@ -12,7 +12,7 @@ namespace apps {
 struct Options {
   std::string scene;                   // path of the scene file
   std::vector<std::string> overrides;  // key=value
-  std::string folder;                  // --out
+  std::string out;                     // --out: the folder of the results, or the file
   int threads = 0;                     // 0: as many as are worth their waiting, see use_threads
   bool check = false;                  // read and check the scene, run nothing
   bool quiet = false;
@@ -20,8 +20,9 @@ struct Options {
 };
 
 // Runs `body` with the options of the command line and turns what it throws into messages on standard
-// error and an exit status (errors.h; 0 for --help). `purpose` is the line shown by --help.
-int run_program(int argc, char** argv, const std::string& purpose,
+// error and an exit status (errors.h; 0 for --help). `purpose` is the line shown by --help,
+// `default_out` what --out is without being given.
+int run_program(int argc, char** argv, const std::string& purpose, const std::string& default_out,
                 const std::function<void(const Options&)>& body);
 
 // Sets the number of threads of a run: as asked for, else one per thousand stones, at most one per

@@ -76,11 +76,6 @@ double axial_stress(const fem::Head& head, double force) {
   return force / section(head);
 }
 
-double hub_rotation(const fem::Head& head, double moment) {
-  const double nu = head.steel.poisson;
-  return 0.75 * (1 - nu * nu) * moment / (head.steel.young * std::pow(head.shaft_diameter / 2, 3));
-}
-
 double rim_deflection(const fem::Head& head, double pressure) {
   // w = c1 + c2 ln r + c3 r^2 + c4 r^2 ln r + q r^4 / (64 D)
   const double a = head.plate_diameter / 2, b = head.shaft_diameter / 2, t = head.plate_thickness;

@@ -31,10 +31,6 @@ double bar_shortening(const fem::Head& head, double force);  // F L / (E A) [m]
 double bending_stress(const fem::Head& head, double moment);  // M b / I at the shaft's surface [Pa]
 double axial_stress(const fem::Head& head, double force);     // F / A [Pa]
 
-// Rotation [rad] of the plate where the shaft holds it: of a rigid disc of the shaft's radius on a
-// half-space, 3 (1 - nu^2) M / (4 E b^3): Johnson (1985), Contact Mechanics, section 5.3.
-double hub_rotation(const fem::Head& head, double moment);
-
 // Deflection [m] of the rim against the shaft's circle under uniform pressure [Pa], of a plate clamped
 // at the shaft, bending and shear (factor 5/6): Timoshenko & Woinowsky-Krieger (1959), articles 17-20.
 double rim_deflection(const fem::Head& head, double pressure);

@@ -39,11 +39,13 @@ ElasticWall::ElasticWall(fem::ReducedBody body, const dem::Wall& wall,
 void ElasticWall::exchange(dem::Wall& wall, double dt) {
   dem::SurfaceField& field = *wall.field;
   const auto nodes = static_cast<Eigen::Index>(field.size());
-  Eigen::Map<Eigen::VectorXd> impulse(&field.impulse.front().x, 3 * nodes);
+  // A copy, because Eigen's sums depend on where in memory a vector begins.
+  Eigen::Map<Eigen::VectorXd> letters(&field.impulse.front().x, 3 * nodes);
+  const Eigen::VectorXd impulse = letters;
+  letters.setZero();
   gathered_ += impulse;
   span_ += dt;
   swing(impulse, dt);
-  impulse.setZero();
   if (++waited_ >= settings_.interval) {
     relax();
     const Eigen::Map<const Eigen::VectorXd> displacement(&field.displacement.front().x, 3 * nodes);

@@ -10,7 +10,7 @@ void gather_forces(ParticleStore& stones, const NeighborList& list,
                    std::span<const SlotForce> slots, double gravity) {
   const auto count = static_cast<std::int64_t>(stones.size());
   const bool breakable = !stones.crush.empty();
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (count > 64)
   for (std::int64_t i = 0; i < count; ++i) {
     const double radius = stones.outer_radius(i);
     Vec3d force = {0, 0, -gravity * stones.mass[i]};

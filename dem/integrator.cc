@@ -5,20 +5,21 @@
 
 namespace dem {
 
-Travel advance_stones(ParticleStore& stones, double dt, double drag,
+Travel advance_stones(ParticleStore& stones, Steps steps, double drag,
                       std::span<const Vec3d> reference) {
   const auto count = static_cast<std::int64_t>(stones.size());
-  const double kept = std::exp(-drag * dt);
+  const double dt = steps.now, kick = steps.kick();
+  const double kept = std::exp(-drag * kick);
   double farthest = 0;
   bool finite = true;
-#pragma omp parallel for schedule(static) reduction(max : farthest) reduction(&& : finite)
+#pragma omp parallel for schedule(static) if (count > 64) reduction(max : farthest) reduction(&& : finite)
   for (std::int64_t i = 0; i < count; ++i) {
     const double inertia = stones.inertia_scale * stones.mass[i];
     const double moment = 0.4 * inertia * stones.radius[i] * stones.radius[i];
     Vec3d& v = stones.velocity[i];
     Vec3d& w = stones.spin[i];
-    v = v * kept + stones.force[i] * (dt / inertia);
-    w = w * kept + stones.torque[i] * (dt / moment);
+    v = v * kept + stones.force[i] * (kick / inertia);
+    w = w * kept + stones.torque[i] * (kick / moment);
     stones.position[i] += v * dt;
     const Vec3d moved = stones.position[i] - reference[i];
     const double distance = dot(moved, moved);

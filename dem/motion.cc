@@ -30,13 +30,14 @@ void orient(const Ram& ram, Frame& frame, double time) {
   frame.spin = ram.spin ? axis * rate : (axis - z) * rate;
 }
 
-void advance(const Motion& motion, Frame& frame, const Vec3d& contact_force, double time, double dt) {
+void advance(const Motion& motion, Frame& frame, const Vec3d& contact_force, double time, Steps steps) {
+  const double dt = steps.now;
   if (const auto* driven = std::get_if<Driven>(&motion)) {
     frame.velocity = driven->velocity;
     frame.origin += driven->velocity * dt;
   } else if (const auto* ram = std::get_if<Ram>(&motion)) {
     const double push = contact_force.z - ram->force_at(time) - ram->weight;
-    frame.velocity.z += dt * push / ram->inertia;
+    frame.velocity.z += steps.kick() * push / ram->inertia;
     frame.origin.z += dt * frame.velocity.z;
     orient(*ram, frame, time + dt);
   }

@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "dem/frame.h"
+#include "dem/time_step.h"
 
 namespace dem {
 
@@ -34,8 +35,8 @@ struct Ram {
 
 using Motion = std::variant<Fixed, Driven, Ram>;
 
-// Moves the frame to `time` + dt; contact_force: force of the stones on the wall at `time` [N].
-void advance(const Motion& motion, Frame& frame, const Vec3d& contact_force, double time, double dt);
+// Moves the frame from `time` by the step [s]; contact_force: of the stones on the wall at `time` [N].
+void advance(const Motion& motion, Frame& frame, const Vec3d& contact_force, double time, Steps steps);
 
 // Orientation and spin of a ram at `time`, position untouched.
 void orient(const Ram& ram, Frame& frame, double time);

@@ -50,7 +50,7 @@ class PairContacts {
   template <class T = Pack>
   Extremes evaluate(const ParticleStore& stones, double dt, bool check) {
     Extremes found;
-#pragma omp parallel
+#pragma omp parallel if (slots_ > 64)
     {
       Extremes mine;
 #pragma omp for schedule(static) nowait

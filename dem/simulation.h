@@ -65,7 +65,7 @@ class Simulation {
   const WallContacts<Law>& wall_contacts(std::size_t wall) const { return wall_contacts_[wall]; }
 
  private:
-  void move_walls();
+  void move_walls(Steps steps);
   void refresh_neighbors();
   void find_forces(bool check);
   void break_stones();
@@ -85,6 +85,7 @@ class Simulation {
   StepClock clock_;
   std::string limiting_ = "nothing in contact";
   double time_ = 0, drag_ = 0;
+  double last_step_ = 0;  // length of the step before [s]
   std::int64_t steps_ = 0, rebuilds_ = 0;
   bool stale_ = true;  // lists must be made before the next forces
 };
@@ -97,8 +98,10 @@ void Simulation<Law>::step() {
     find_forces(true);
   }
   const double dt = clock_.step();
-  move_walls();
-  const Travel travel = advance_stones(stones_, dt, drag_, reference_);
+  const Steps steps = {last_step_, dt};
+  move_walls(steps);
+  const Travel travel = advance_stones(stones_, steps, drag_, reference_);
+  last_step_ = dt;
   time_ += dt;
   ++steps_;
   if (!travel.finite) stop_at_first_not_finite(stones_, time_);
@@ -127,10 +130,10 @@ void Simulation<Law>::find_forces(bool check) {
 }
 
 template <ContactLaw Law>
-void Simulation<Law>::move_walls() {
-  const double dt = clock_.step();
+void Simulation<Law>::move_walls(Steps steps) {
+  const double dt = steps.now;
   for (Wall& wall : walls_) {
-    advance(wall.motion, wall.frame, wall.force, time_, dt);
+    advance(wall.motion, wall.frame, wall.force, time_, steps);
     const double reach =
         std::visit([](const auto& surface) { return surface.extent(); }, wall.surface);
     wall.moved += dt * (norm(wall.frame.velocity) + norm(wall.frame.spin) * reach);

@@ -5,6 +5,13 @@
 
 namespace dem {
 
+// The lengths of the step before (0 at the start) and of this one [s]: velocities go from the middle
+// of the one to the middle of the other, positions by the whole of this one.
+struct Steps {
+  double before, now;
+  double kick() const { return 0.5 * (before + now); }
+};
+
 // Steps on a fixed ladder of ratio 2^(1/4), so that the step changes seldom: down at once when a contact
 // stiffens, up one rung at a time when the room is there.
 class StepClock {

@@ -33,7 +33,7 @@ TEST(motion, a_fixed_wall_stays) {
   // By definition.
   Frame frame;
   frame.origin = {1, 2, 3};
-  advance(Fixed{}, frame, {10, 10, 10}, 0, 0.1);
+  advance(Fixed{}, frame, {10, 10, 10}, 0, {0.1, 0.1});
   EXPECT_EQ(frame.origin.z, 3);
   EXPECT_EQ(norm(frame.velocity), 0);
 }
@@ -41,7 +41,7 @@ TEST(motion, a_fixed_wall_stays) {
 TEST(motion, a_driven_wall_goes_as_it_is_told) {
   // Closed form: x = v t.
   Frame frame;
-  for (int n = 0; n < 1000; ++n) advance(Driven{{0.5, 0, -0.25}}, frame, {9, 9, 9}, n * 1e-3, 1e-3);
+  for (int n = 0; n < 1000; ++n) advance(Driven{{0.5, 0, -0.25}}, frame, {9, 9, 9}, n * 1e-3, {1e-3, 1e-3});
   EXPECT_NEAR(frame.origin.x, 0.5, 1e-12);
   EXPECT_NEAR(frame.origin.z, -0.25, 1e-12);
   EXPECT_EQ(frame.velocity.z, -0.25);
@@ -131,7 +131,7 @@ TEST(motion, an_unopposed_ram_falls_under_its_force_and_weight) {
   made.ramp_start = made.ramp = 0;
   Frame frame;
   constexpr int steps = 1000;
-  for (int n = 0; n < steps; ++n) advance(made, frame, {5, 5, 0}, n * 1e-6, 1e-6);
+  for (int n = 0; n < steps; ++n) advance(made, frame, {5, 5, 0}, n * 1e-6, {1e-6, 1e-6});
   const double rate = (10603 + 29.43) / 3;
   EXPECT_NEAR(frame.velocity.z / (-rate * 1e-3), 1, 1e-12);
   EXPECT_NEAR(frame.origin.z / (-rate * 1e-6 / 2 * (1 + 1.0 / steps)), 1, 1e-12);
@@ -145,7 +145,7 @@ TEST(motion, a_ram_in_balance_keeps_its_velocity) {
   made.ramp_start = made.ramp = 0;
   Frame frame;
   frame.velocity.z = -0.01;
-  advance(made, frame, {0, 0, 10603 + 29.43}, 0, 1e-3);
+  advance(made, frame, {0, 0, 10603 + 29.43}, 0, {1e-3, 1e-3});
   EXPECT_NEAR(frame.velocity.z, -0.01, 1e-15);
 }
 
