@@ -14,6 +14,9 @@ namespace apps {
 // Material of walls that do not yield: all compliance of the contact is the stone's.
 inline constexpr dem::Material rigid = {1e30, 0.3};
 
+// Stones whose mean height stands for the height of a bed (Olsson, Jelagin, Partl, section 3.2).
+inline constexpr int highest_points = 10;
+
 // The step for a pair of the smallest stones with full shells, or a slight overlap of dry stones:
 // used while nothing stiffer is in contact [s].
 template <class Law>

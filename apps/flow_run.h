@@ -27,8 +27,6 @@ class FlowRun {
   static std::vector<Column> columns();
 
  private:
-  static constexpr int highest_points = 10;  // whose mean height is the uplift (Olsson et al.)
-
   void lower_strip();
   void draw(const std::string& folder);
   double strip_area() const { return scene_.flow.strip_length * scene_.flow.width; }  // [m2]

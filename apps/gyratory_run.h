@@ -56,6 +56,7 @@ class GyratoryRun {
   std::optional<SteelPart> elastic_mould_, elastic_head_;
   double head_mass_ = 0;     // [kg]
   double closed_at_ = 0;     // when the plate came down [s]
+  double settled_height_ = 0;  // of the bed then, mean of its highest points [m]
   std::int64_t settled_steps_ = 0;
   Means means_;
   std::vector<std::vector<double>> ramp_rows_;  // held until air_voids_decrease has its reference
@@ -106,6 +107,7 @@ void GyratoryRun<Law>::fill(Progress& progress) {
 template <class Law>
 void GyratoryRun<Law>::close() {
   closed_at_ = bed_.time();
+  settled_height_ = dem::mean_of_highest(bed_.stones(), highest_points);
   dem::Wall plate;
   plate.name = "head";
   plate.surface = dem::Disc{machine_.plate_radius};
@@ -320,6 +322,7 @@ std::vector<Finding> GyratoryRun<Law>::findings(double wall_seconds) const {
        static_cast<double>(stones) * static_cast<double>(bed_.steps()) / wall_seconds},
       {"air_voids_start", voids_at_start_.value()},
       {"air_voids_end", rows_.back()[3]},
+      {"settled_height_m", settled_height_},
       {"height_end_m", rows_.back()[2]},
       {"mould_diameter_m", 2 * machine_.mould_radius},
       {"ram_pressure_mean_Pa", mean(4)},

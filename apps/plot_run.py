@@ -2,6 +2,7 @@
 """Draws a run at a glance: `plot_run.py DIR` makes DIR/run.png from DIR/results.h5."""
 
 import argparse
+import copy
 import pathlib
 import sys
 
@@ -47,6 +48,13 @@ class Run:
     def shown(self, name):
         return self.columns[name] * SHOWN_AS.get(self.units[name], (None, 1))[1]
 
+    def since_first_gyration(self):
+        """The same run without the pressure ramp, in which nothing gyrates yet."""
+        gyrating = copy.copy(self)
+        ramp = max(0, np.count_nonzero(self.columns["gyration"] <= 0) - 1)
+        gyrating.columns = {name: column[ramp:] for name, column in self.columns.items()}
+        return gyrating
+
     def unit(self, name):
         return SHOWN_AS.get(self.units[name], (self.units[name],))[0]
 
@@ -62,7 +70,8 @@ def draw(axes, run, x, curves, title, quantity):
     axes.set_xlabel(run.label(x[1], x[0]))
     axes.set_ylabel(run.label(quantity, curves[0][0]))
     if len(curves) > 1:
-        axes.legend()
+        axes.margins(y=0.25)  # room for the legend
+        axes.legend(loc="upper right")
 
 
 def draw_fractured(axes, run, x):
@@ -90,15 +99,16 @@ def draw_pressure(axes, run, x):
 def draw_gyratory(figure, run):
     gyration, time = ("gyration", "gyrations"), ("time", "time")
     axes = figure.subplots(3, 2)
-    draw(axes[0, 0], run, gyration, [("air_voids", None, BLUE)], "Compaction", "air voids")
-    draw(axes[0, 1], run, gyration, [("air_voids_decrease", None, BLUE)],
+    gyrating = run.since_first_gyration()
+    draw(axes[0, 0], gyrating, gyration, [("air_voids", None, BLUE)], "Compaction", "air voids")
+    draw(axes[0, 1], gyrating, gyration, [("air_voids_decrease", None, BLUE)],
          "Decrease of air voids", "decrease")
     draw_pressure(axes[1, 0], run, time)
     draw(axes[1, 1], run, time, [("commanded_angle", "commanded at the ram root", BLUE),
                                  ("internal_angle", "internal, felt by the mix", RED)],
          "Angle", "angle")
-    draw_fractured(axes[2, 0], run, gyration)
-    draw(axes[2, 1], run, gyration, [("coordination", None, BLUE)], "Coordination",
+    draw_fractured(axes[2, 0], gyrating, gyration)
+    draw(axes[2, 1], gyrating, gyration, [("coordination", None, BLUE)], "Coordination",
          "contacts per stone")
 
 

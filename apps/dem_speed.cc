@@ -1,0 +1,322 @@
+// Times the steps of a settled bed of stones in a rigid cylinder, open at the top, under a gravity
+// that stands for a confining load. Material, walls and load are those that other codes are timed
+// with on the same bed (tests/speed/compare_peers.sh).
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "apps/bed_file.h"
+#include "apps/laws.h"
+#include "dem/strength.h"
+
+namespace {
+
+struct Options {
+  std::string bed, law;
+  double cylinder_radius = 0;  // [m]; 0: as the bed says
+  double skin = 5e-5;          // [m]
+  int threads = 1, steps = 0, warmup = 0;
+  bool json = false;
+};
+
+constexpr double gravity = 196.2;        // 20 g [m/s2]
+constexpr double time_step = 1e-6;       // [s]
+constexpr double shell = 0.5e-3;         // of the asphalt [m]
+constexpr double largest_overlap = 0.5;  // / radius of the smaller stone [-]
+
+// What a bed is made of, as a scene would say it; walls are of stone.
+struct Material {
+  apps::StonesScene stones;
+  std::optional<apps::BinderScene> binder;
+  apps::Mix mix;
+};
+
+// The shells are inside of the radii of the bed, so that both laws touch at the same pairs at
+// first.
+Material material_of(const std::string& law, const apps::BedFile& bed) {
+  Material material;
+  material.stones.young = 1e9;
+  material.stones.poisson = 0.15;
+  material.stones.friction = 0.7;
+  material.mix.radius = bed.radius;
+  if (law == "dry") {
+    material.stones.restitution = 0.3;
+    return material;
+  }
+  // Binder of the mix SMA 11 at 150 degrees, Olsson, Jelagin & Partl (2019), table 1.
+  apps::BinderScene binder;
+  binder.shear_modulus = 6.65e6;
+  binder.alpha = {0.513, 0.487};
+  binder.tau = {0.0948, 105.9};
+  binder.wall_bonds = true;
+  material.binder = binder;
+  material.mix.bitumen_fraction = 0.43;
+  material.mix.shell = shell;
+  for (double& radius : material.mix.radius) radius -= shell;
+  const auto& weibull = material.stones.fracture.emplace();
+  for (std::uint32_t id = 0; id < bed.radius.size(); ++id)
+    material.mix.strength.push_back(
+        dem::strength({weibull.scale, weibull.exponent, weibull.reference_volume},
+                      material.mix.radius[id], 1, id));
+  return material;
+}
+
+template <class Law>
+struct Bed {
+  dem::ParticleStore stones;
+  std::vector<dem::Wall> walls;
+  Law pair_law, wall_law;
+};
+
+template <class Law>
+Bed<Law> bed_of(const apps::BedFile& file, const Material& material, const apps::LawBook& book) {
+  const apps::StonesScene& scene = material.stones;
+  Bed<Law> bed;
+  bed.stones =
+      dem::make_stones(file.position, material.mix.radius, scene.density, material.mix.shell, 1);
+  if (scene.fracture) dem::make_breakable(bed.stones, material.mix.strength);
+  bed.walls.resize(2);
+  bed.walls[0].name = "floor";
+  bed.walls[0].surface = dem::Plane{};
+  bed.walls[1].name = "cylinder";
+  bed.walls[1].surface = dem::CylinderInside{file.cylinder_radius.value()};
+  bed.pair_law = book.law<Law>({std::nullopt, scene.friction}, true);
+  bed.wall_law = book.law<Law>({dem::Material{scene.young, scene.poisson}, scene.friction}, true);
+  return bed;
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// The stages of a step, called one by one with a clock between them, which dem::Simulation has not.
+template <class Law>
+class Stages {
+ public:
+  enum Stage { motion, lists, pairs, gather, wall_contacts, fracture, stage_count };
+  static constexpr std::array<const char*, stage_count> names = {
+      "motion", "lists", "pair contacts", "gather", "wall contacts", "fracture"};
+
+  Stages(Bed<Law> bed, double skin) : bed_(std::move(bed)), skin_(skin) {
+    bed_.pair_law.set_time_step(time_step);
+    bed_.wall_law.set_time_step(time_step);
+    pairs_.law = bed_.pair_law;
+    at_walls_.resize(bed_.walls.size());
+    for (auto& contacts : at_walls_) contacts.law = bed_.wall_law;
+    dem::reorder(bed_.stones, dem::spatial_order(bed_.stones.position, 8 * shell));
+    make_lists();
+  }
+
+  void step() {
+    const bool check = ++steps_ % dem::check_interval == 0;
+    dem::Travel travel;
+    timed(motion, [&] {
+      travel = dem::advance_stones(bed_.stones, {time_step, time_step}, 0, reference_);
+    });
+    if (2 * travel.farthest > skin_) timed(lists, [&] { make_lists(); });
+    timed(pairs, [&] { pairs_.evaluate(bed_.stones, time_step, check); });
+    timed(gather, [&] { dem::gather_forces(bed_.stones, list_, pairs_.forces, gravity); });
+    timed(wall_contacts, [&] {
+      for (std::size_t w = 0; w < bed_.walls.size(); ++w)
+        at_walls_[w].evaluate(bed_.stones, bed_.walls[w], time_step, check);
+    });
+    if constexpr (Law::breaks)
+      timed(fracture, [&] { cracked_ += !overloaded(bed_.stones).empty(); });
+  }
+
+  void forget_times() { spent_.fill(0); }
+
+  // Of the time spent [-].
+  nlohmann::ordered_json shares() const {
+    double all = 0;
+    for (double spent : spent_) all += spent;
+    nlohmann::ordered_json shares;
+    for (int k = 0; k < stage_count; ++k) shares[names[k]] = spent_[k] / all;
+    return shares;
+  }
+
+  // Of a slot, in all arrays that hold one entry a slot [B].
+  double bytes_per_slot() const {
+    const double lists = list_.first.size() * 4.0 * sizeof(std::uint32_t);  // and reverse, previous
+    const double taken = pairs_.slots() * 2.0 * sizeof(std::int32_t);
+    return (lists + taken + pairs_.history.raw().size_bytes() +
+            pairs_.forces.size() * sizeof(dem::SlotForce)) /
+           static_cast<double>(pairs_.slots());
+  }
+
+  // Of a stone, everything included [B].
+  double bytes_per_stone() const {
+    const dem::ParticleStore& stones = bed_.stones;
+    const double numbers = stones.radius.size() + stones.mass.size() + stones.strength.size() +
+                           stones.softness.size() + stones.crush.size();
+    const double vectors = 6.0 * stones.size();  // five of the store, and the reference
+    const double rows = 3.0 * stones.size() * sizeof(std::uint32_t);  // id and two row starts
+    return (numbers * sizeof(double) + vectors * sizeof(dem::Vec3d) + rows +
+            bytes_per_slot() * static_cast<double>(pairs_.slots())) /
+           static_cast<double>(stones.size());
+  }
+
+ private:
+  template <class Work>
+  void timed(Stage stage, Work work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    spent_[stage] += seconds_since(start);
+  }
+
+  void make_lists() {
+    const dem::ParticleStore& stones = bed_.stones;
+    std::vector<double> radius(stones.size());
+    for (std::size_t k = 0; k < radius.size(); ++k) radius[k] = stones.outer_radius(k);
+    list_.build({stones.position, radius, stones.id}, skin_);
+    pairs_.take(list_);
+    for (std::size_t w = 0; w < bed_.walls.size(); ++w)
+      at_walls_[w].find(stones, bed_.walls[w], skin_, {});
+    reference_ = stones.position;
+  }
+
+  Bed<Law> bed_;
+  double skin_;
+  dem::NeighborList list_;
+  dem::PairContacts<Law> pairs_;
+  std::vector<dem::WallContacts<Law>> at_walls_;
+  std::vector<dem::Vec3d> reference_;
+  std::array<double, stage_count> spent_ = {};  // [s]
+  std::int64_t steps_ = 0, cracked_ = 0;
+};
+
+// Stones that touch a wall of the cylinder, once for each wall.
+std::int64_t touching_walls(const dem::ParticleStore& stones, double cylinder_radius) {
+  std::int64_t count = 0;
+  for (std::size_t k = 0; k < stones.size(); ++k) {
+    const dem::Vec3d& x = stones.position[k];
+    count += x.z < stones.outer_radius(k);
+    count += std::hypot(x.x, x.y) + stones.outer_radius(k) > cylinder_radius;
+  }
+  return count;
+}
+
+template <class Law>
+nlohmann::ordered_json time_steps(const Bed<Law>& bed, const Options& options) {
+  dem::Settings settings;
+  settings.gravity = gravity;
+  settings.largest_step = time_step;
+  settings.largest_overlap = largest_overlap;
+  settings.skin = options.skin;
+  dem::Simulation<Law> simulation(bed.stones, bed.pair_law, settings);
+  for (const dem::Wall& wall : bed.walls) simulation.add_wall(wall, bed.wall_law);
+  for (int k = 0; k < options.warmup; ++k) simulation.step();
+  const std::int64_t rebuilds_before = simulation.rebuilds();
+  const auto start = std::chrono::steady_clock::now();
+  for (int k = 0; k < options.steps; ++k) simulation.step();
+  const double per_step = seconds_since(start) / options.steps;
+
+  // A part of the run is enough for shares.
+  Stages<Law> stages(bed, options.skin);
+  for (int k = 0; k < options.warmup / 4; ++k) stages.step();
+  stages.forget_times();
+  for (int k = 0; k < std::max(options.steps / 4, 1); ++k) stages.step();
+
+  const std::int64_t stones = std::ssize(bed.stones.id);
+  const std::int64_t pairs = simulation.pairs().touching();
+  const std::int64_t at_walls = touching_walls(simulation.stones(), options.cylinder_radius);
+  nlohmann::ordered_json result;
+  result["law"] = options.law;
+  result["stones"] = stones;
+  result["threads"] = options.threads;
+  result["steps"] = options.steps;
+  result["time_step_s"] = simulation.time_step();
+  result["skin_m"] = options.skin;
+  result["ms_per_step"] = 1e3 * per_step;
+  result["touching_stones"] = pairs;
+  result["touching_walls"] = at_walls;
+  result["slots"] = simulation.pairs().slots();
+  result["contact_steps_per_s"] = static_cast<double>(pairs + at_walls) / per_step;
+  result["particle_steps_per_s"] = static_cast<double>(stones) / per_step;
+  result["rebuilds"] = simulation.rebuilds() - rebuilds_before;
+  result["bytes_per_stone"] = stages.bytes_per_stone();
+  result["bytes_per_slot"] = stages.bytes_per_slot();
+  result["share"] = stages.shares();
+  return result;
+}
+
+nlohmann::ordered_json run(Options options) {
+  apps::Mistakes mistakes;
+  apps::BedFile bed = apps::read_bed_file(options.bed, mistakes);
+  if (options.cylinder_radius > 0) bed.cylinder_radius = options.cylinder_radius;
+  if (!bed.cylinder_radius)
+    mistakes.add({options.bed}, "a comment with cylinder_radius=", "none",
+                 "give --radius, in metres");
+  else if (!mistakes.any())
+    apps::check_overlaps(bed, *bed.cylinder_radius, largest_overlap, mistakes);
+  if (options.law == "asphalt" && !mistakes.any()) {
+    const auto smallest = std::ranges::min_element(bed.radius);
+    if (*smallest <= shell)
+      mistakes.add({bed.path, bed.line[smallest - bed.radius.begin()], 1},
+                   fmt::format("a radius above the shell's {} m", shell),
+                   fmt::format("{}", *smallest), "leave such stones to the binder");
+  }
+  if (mistakes.any()) throw apps::InputError(mistakes.lines());
+
+  omp_set_num_threads(options.threads);
+  options.cylinder_radius = *bed.cylinder_radius;
+  const Material material = material_of(options.law, bed);
+  const apps::LawBook book(material.stones, material.binder, material.mix);
+  if (options.law == "dry")
+    return time_steps(bed_of<apps::DampedDry>(bed, material, book), options);
+  return time_steps(bed_of<apps::BreakingAsphalt<2>>(bed, material, book), options);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app("Times the steps of a settled bed of stones in a cylinder.");
+  app.add_option("--bed", options.bed, "table of stones: x,y,z,radius (CSV, in metres)")
+      ->required();
+  app.add_option("--law", options.law, "dry, or asphalt: with binder shells inside the radii")
+      ->required()
+      ->check(CLI::IsMember({"dry", "asphalt"}));
+  app.add_option("--threads", options.threads)->check(CLI::Range(1, 1024));
+  app.add_option("--steps", options.steps, "steps to time")->required()->check(CLI::PositiveNumber);
+  app.add_option("--warmup", options.warmup, "steps before")->check(CLI::NonNegativeNumber);
+  app.add_option("--radius", options.cylinder_radius,
+                 "of the cylinder [m], if the bed does not say")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--skin", options.skin, "search range beyond contact [m]")
+      ->check(CLI::PositiveNumber);
+  app.add_flag("--json", options.json, "print one JSON object");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? apps::ok : apps::bad_input;
+  }
+  try {
+    const nlohmann::ordered_json result = run(options);
+    if (options.json) {
+      std::cout << result.dump() << '\n';
+      return apps::ok;
+    }
+    for (const auto& [name, value] : result.items()) {
+      if (!value.is_object()) std::cout << fmt::format("{:<22}{}\n", name, value.dump());
+    }
+    for (const auto& [stage, share] : result["share"].items())
+      std::cout << fmt::format("share of {:<15}{:.1f} %\n", stage, 100 * share.get<double>());
+    return apps::ok;
+  } catch (const apps::InputError& error) {
+    for (const std::string& line : error.mistakes) std::cerr << line << '\n';
+    return apps::bad_input;
+  } catch (const dem::NumericalTrouble& trouble) {
+    std::cerr << fmt::format("stopped: stone {}, time {} s: {} = {}\n", trouble.stone, trouble.time,
+                             trouble.what(), trouble.value);
+    return apps::numerical_trouble;
+  }
+}
