@@ -1,0 +1,115 @@
+// The contact lists of a whole simulation against brute force, while walls and stones move.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "apps/laws.h"
+#include "dem/packing.h"
+#include "dem/random.h"
+
+namespace {
+
+using apps::Dry;
+
+constexpr double length = 0.02, width = 0.02;  // of the box [m]
+
+Dry law() {
+  const dem::Material soft = {1e8, 0.2};
+  return {{1 / (2 * dem::normal_compliance(soft))}, 1 / (2 * dem::shear_compliance(soft)), 0.5};
+}
+
+// Stones of radius 0.4 to 3.2 mm (1:8) that fall, a floor, two sides, and a block that is driven down.
+dem::Simulation<Dry> falling_stones() {
+  std::vector<double> radius;
+  for (std::uint32_t k = 0; k < 150; ++k)
+    radius.push_back(0.4e-3 * std::pow(8.0, std::pow(dem::uniform(7, dem::Purpose::size, k), 3)));
+  std::sort(radius.begin(), radius.end());
+  const dem::Gas gas = dem::pack_gas(radius, dem::RectangularMould{length, width}, 0.3, 3);
+  dem::Settings settings;
+  settings.largest_step = 2e-6;
+  settings.skin = 0.1e-3;
+  dem::Simulation<Dry> bed(dem::make_stones(gas.position, radius, 2650, 0, 1), law(), settings);
+  const auto add = [&](dem::Surface surface, const dem::Frame& frame, dem::Motion motion) {
+    dem::Wall wall;
+    wall.surface = surface;
+    wall.frame = frame;
+    wall.motion = motion;
+    bed.add_wall(wall, law());
+  };
+  dem::Frame at;
+  add(dem::Plane{}, at, dem::Fixed{});
+  add(dem::CylinderInside{0.5 * length * 1.5}, {.origin = {length / 2, width / 2, 0}}, dem::Fixed{});
+  at.origin = {0, width / 2, gas.height + 0.018};
+  add(dem::Block{{length / 2, width / 2, 0.018}}, at, dem::Driven{{0, 0, -0.3}});
+  return bed;
+}
+
+double distance_of(const dem::Wall& wall, const dem::Vec3d& x) {
+  const dem::Vec3d local = wall.frame.to_frame(x - wall.frame.origin);
+  return std::visit([&](const auto& s) { return s.nearest(local).distance; }, wall.surface);
+}
+
+TEST(moving_walls, every_touching_pair_is_listed_at_every_step) {
+  dem::Simulation<Dry> bed = falling_stones();
+  std::size_t seen = 0;
+  for (int step = 0; step < 6000; ++step) {
+    bed.step();
+    if (step % 50) continue;
+    const dem::ParticleStore& stones = bed.stones();
+    std::set<std::pair<int, int>> listed;
+    for (std::int64_t s = 0; s < bed.pairs().slots(); ++s)
+      listed.insert(std::minmax(bed.pairs().first(s), bed.pairs().second(s)));
+    for (int i = 0; i < int(stones.size()); ++i)
+      for (int j = i + 1; j < int(stones.size()); ++j) {
+        const double apart = norm(stones.position[i] - stones.position[j]);
+        if (apart >= stones.radius[i] + stones.radius[j]) continue;
+        ++seen;
+        ASSERT_TRUE(listed.count({i, j})) << "step " << step;
+      }
+  }
+  EXPECT_GT(seen, 100u);
+  EXPECT_GT(bed.rebuilds(), 10);
+}
+
+TEST(moving_walls, every_stone_that_touches_a_wall_is_listed_at_every_step) {
+  dem::Simulation<Dry> bed = falling_stones();
+  std::vector<int> seen(bed.walls().size(), 0);
+  for (int step = 0; step < 8000; ++step) {
+    bed.step();
+    if (step % 20) continue;
+    const dem::ParticleStore& stones = bed.stones();
+    for (std::size_t w = 0; w < bed.walls().size(); ++w) {
+      const auto& contacts = bed.wall_contacts(w);
+      const auto end = contacts.stones.begin() + contacts.slots();
+      for (int k = 0; k < int(stones.size()); ++k) {
+        if (distance_of(bed.walls()[w], stones.position[k]) >= stones.radius[k]) continue;
+        ++seen[w];
+        ASSERT_TRUE(std::binary_search(contacts.stones.begin(), end, k)) << "step " << step;
+      }
+    }
+  }
+  for (const int touches : seen) EXPECT_GT(touches, 20);
+}
+
+TEST(moving_walls, a_resting_stone_presses_on_the_floor_with_its_weight) {
+  // Equilibrium: force on the wall is (0, 0, -m g), push is +m g; 1 % for what still bounces.
+  const dem::Material soft = {1e7, 0.2};
+  const apps::DampedDry damped = {{1 / (2 * dem::normal_compliance(soft)), dem::damping_ratio(0.1)},
+                                  1 / (2 * dem::shear_compliance(soft)), 0.5};
+  dem::Settings settings;
+  settings.largest_step = 1e-6;
+  settings.skin = 0.1e-3;
+  dem::Simulation<apps::DampedDry> bed(dem::make_stones({{0, 0, 3e-3}}, {3e-3}, 2650, 0, 1), damped,
+                                       settings);
+  dem::Wall floor;
+  floor.surface = dem::Plane{};
+  bed.add_wall(floor, damped);
+  for (int step = 0; step < 100000; ++step) bed.step();
+  const double weight = bed.stones().mass[0] * settings.gravity;
+  EXPECT_NEAR(bed.walls()[0].force.z, -weight, 0.01 * weight);
+  EXPECT_NEAR(bed.walls()[0].push, weight, 0.01 * weight);
+}
+
+}  // namespace
