@@ -22,20 +22,25 @@ void add_steel(Section& section, fem::Steel& steel) {
 }
 
 std::vector<Section> describe(StressCase& given) {
-  Section mould{"mould",
-                "A cylinder with free ends, which bear nothing but its weight on the base.",
-                {{&given.mould.inner_diameter, "inner_diameter", millimetre, positive, "inside", ""},
-                 {&given.mould.wall_thickness, "wall_thickness", millimetre, positive, "", ""},
-                 {&given.mould.height, "height", millimetre, positive, "", ""}}};
+  Section mould{
+      "mould",
+      "A cylinder with free ends, held at its base against rigid motion; clamped there under one "
+      "stone.",
+      {{&given.mould.inner_diameter, "inner_diameter", millimetre, positive, "inside", ""},
+       {&given.mould.wall_thickness, "wall_thickness", millimetre, positive, "of the cylinder", ""},
+       {&given.mould.height, "height", millimetre, positive,
+        "of the cylinder, loaded over all of it", ""}}};
   add_steel(mould, given.mould.steel);
-  Section head{"head",
-               "A round plate on a shaft, which is clamped at its root.",
-               {{&given.head.plate_diameter, "plate_diameter", millimetre, positive, "", ""},
-                {&given.head.plate_thickness, "plate_thickness", millimetre, positive, "", ""},
-                {&given.head.shaft_diameter, "shaft_diameter", millimetre, positive,
-                 "less than that of the plate", ""},
-                {&given.head.shaft_length, "shaft_length", millimetre, positive,
-                 "from the back of the plate to the root", ""}}};
+  Section head{
+      "head",
+      "A round plate on a shaft, which is clamped at its root.",
+      {{&given.head.plate_diameter, "plate_diameter", millimetre, positive, "of the loaded face",
+        ""},
+       {&given.head.plate_thickness, "plate_thickness", millimetre, positive, "of the plate", ""},
+       {&given.head.shaft_diameter, "shaft_diameter", millimetre, positive,
+        "less than that of the plate", ""},
+       {&given.head.shaft_length, "shaft_length", millimetre, positive,
+        "from the back of the plate to the root", ""}}};
   add_steel(head, given.head.steel);
   ColumnOfStones& stones = given.stones;
   return {
@@ -44,7 +49,13 @@ std::vector<Section> describe(StressCase& given) {
       {"load",
        "What the steel bears: the mould under pressure, band, ovalling or stones, the head under "
        "plate_pressure, eccentric or point.",
-       {{&given.load.kind, "kind", pure, unbounded, "of the load", "", required("\"pressure\""),
+       {{&given.load.kind,
+         "kind",
+         pure,
+         unbounded,
+         "of the load",
+         "",
+         required("\"pressure\""),
          {"pressure", "band", "ovalling", "plate_pressure", "eccentric", "point", "stones"}},
         {&given.load.pressure, "pressure", kilopascal, positive,
          "amplitude of an ovalling pressure, mean of an eccentric one", ""},
@@ -55,10 +66,10 @@ std::vector<Section> describe(StressCase& given) {
         {&given.load.force, "force", newton, positive, "on a point, or on one stone", ""}}},
       {"stones",
        "For kind = \"stones\": one stone pressed on the wall at mid-height, or a settled column.",
-       {{&stones.count, "count", pure, at_least(1), "", ""},
+       {{&stones.count, "count", pure, at_least(1), "one, or as many as fill a column", ""},
         {&stones.smallest, "smallest", millimetre, positive, "diameter", ""},
         {&stones.largest, "largest", millimetre, positive, "diameter; of the one stone, too", ""},
-        {&stones.density, "density", density_unit, positive, "", ""},
+        {&stones.density, "density", density_unit, positive, "of the stones", ""},
         {&stones.young, "young", gigapascal, positive, "Young's modulus", ""},
         {&stones.poisson, "poisson", pure, poisson_range, "Poisson's ratio", ""},
         {&stones.friction, "friction", pure, at_least(0), "Coulomb coefficient of stones", ""},
@@ -88,7 +99,8 @@ class CaseCheck {
       if (mould.height < given.load.length + undisturbed)
         refuse("mould.height",
                "a mould that reaches half a wave of the shell, " +
-                   std::to_string(std::lround(500 * undisturbed)) + " mm, beyond both edges of the band",
+                   std::to_string(std::lround(500 * undisturbed)) +
+                   " mm, beyond both edges of the band",
                "make it taller, or the band shorter");
     }
     if (given.stones.largest < given.stones.smallest)

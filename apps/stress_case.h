@@ -20,16 +20,16 @@ struct SteelLoad {
 // Stones that load the mould: one that is pressed on it, or a column that fills it.
 struct ColumnOfStones {
   int count = 1;
-  double smallest = 8e-3;        // diameter [m]
-  double largest = 12e-3;        // diameter, all between are equally likely [m]
-  double density = 2650;         // [kg/m3]
-  double young = 74e9;           // [Pa]
-  double poisson = 0.15;         // [-]
-  double friction = 0.7;         // between stones [-]
-  double wall_friction = 0.3;    // [-]
-  double restitution = 0.3;      // [-]
-  double mass_scale = 1e4;       // inertia / true inertia [-]
-  int modes = 20;                // of the mould's reduced body
+  double smallest = 8e-3;      // diameter [m]
+  double largest = 12e-3;      // diameter, all between are equally likely [m]
+  double density = 2650;       // [kg/m3]
+  double young = 74e9;         // [Pa]
+  double poisson = 0.15;       // [-]
+  double friction = 0.7;       // between stones [-]
+  double wall_friction = 0.3;  // [-]
+  double restitution = 0.3;    // [-]
+  double mass_scale = 1e4;     // inertia / true inertia [-]
+  int modes = 20;              // of the mould's reduced body
   int seed = 1;
 };
 

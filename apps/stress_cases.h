@@ -6,13 +6,12 @@
 
 namespace apps {
 
-StressReport load_mould(const StressCase& given);        // pressure, band, ovalling
-StressReport load_head(const StressCase& given);         // plate_pressure, eccentric, point
-StressReport press_one_stone(const StressCase& given);   // stones, count = 1
-StressReport settle_column(const StressCase& given);     // stones, count > 1
+StressReport load_mould(const StressCase& given);       // pressure, band, ovalling
+StressReport load_head(const StressCase& given);        // plate_pressure, eccentric, point
+StressReport press_one_stone(const StressCase& given);  // stones, count = 1
+StressReport settle_column(const StressCase& given);    // stones, count > 1
 
-// Hoop stress [Pa] at each node of a mould, and these as an unrolled map of the inner face with the
-// traction [Pa] that presses on it.
+// Hoop stress at each node of a mould (nodes) [Pa], tension positive.
 Eigen::VectorXd hoop_stress(const fem::ElasticBody& body, const Eigen::VectorXd& displacement);
 
 inline StressReport run_stress_case(const StressCase& given) {

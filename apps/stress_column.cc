@@ -39,12 +39,12 @@ StonesScene scene_of(const ColumnOfStones& stones) {
 
 // Means over the time that the column is watched.
 struct Watch {
-  double span = 0;                // [s]
-  double base_push = 0;           // [N]
-  dem::Vec3d ring_force{};        // [N]
-  double ring_push = 0;           // [N]
-  Eigen::Matrix3Xd nodal;         // of the letterbox [N]
-  Eigen::VectorXd amplitude;      // of the modes [m]
+  double span = 0;            // [s]
+  double base_push = 0;       // [N]
+  dem::Vec3d ring_force{};    // [N]
+  double ring_push = 0;       // [N]
+  Eigen::Matrix3Xd nodal;     // of the letterbox [N]
+  Eigen::VectorXd amplitude;  // of the modes [m]
 
   void finish() {
     base_push /= span;
@@ -72,8 +72,8 @@ double janssen_lower_half(double length) {
   return (integral(1) - integral(0.5)) / (integral(1) - integral(0));
 }
 
-// Hoop force through a section, mean over all sections: (1 / 2 pi) integral of stress / r dV, by the
-// cells' corners.
+// Hoop force through a section, mean over all sections: (1 / 2 pi) integral of stress / r dV, by
+// the cells' corners.
 double hoop_force(const fem::ElasticBody& body, const Eigen::VectorXd& displacement) {
   const Eigen::VectorXd hoop = hoop_stress(body, displacement);
   const fem::CellMesh& cells = body.cells();
@@ -96,8 +96,8 @@ double hoop_force(const fem::ElasticBody& body, const Eigen::VectorXd& displacem
 
 }  // namespace
 
-// The column settles in a rigid mould; the mould, elastic from now on, is drawn up slowly so that wall
-// friction is mobilised, and watched while it moves.
+// The column settles in a rigid mould; the mould, elastic from now on, is drawn up slowly so that
+// wall friction is mobilised, and watched while it moves.
 StressReport settle_column(const StressCase& given) {
   const ColumnOfStones& stones = given.stones;
   const double inner = given.mould.inner_diameter / 2;
@@ -127,8 +127,8 @@ StressReport settle_column(const StressCase& given) {
   dem::Wall& mould = column.walls()[ring];
   const double cell = 2 * pi * inner / sectors;
   mould.field.emplace(dem::CylinderGrid{
-      inner, given.mould.height, std::max(4, static_cast<int>(std::lround(given.mould.height / cell))),
-      sectors});
+      inner, given.mould.height,
+      std::max(4, static_cast<int>(std::lround(given.mould.height / cell))), sectors});
   coupling::ExchangeSettings exchange;
   exchange.interval = 1;
   exchange.inertia_scale = stones.mass_scale;
@@ -177,7 +177,8 @@ StressReport settle_column(const StressCase& given) {
   const double length = janssen_length(watch.base_push / weight);
 
   StressReport report{
-      {{"vertical_force", "N", watch.base_push - watch.ring_force.z, weight, "weight of the stones", 0.01},
+      {{"vertical_force", "N", watch.base_push - watch.ring_force.z, weight, "weight of the stones",
+        0.01},
        {"traction_resultant", "N", watch.nodal.row(2).sum(), watch.ring_force.z,
         "sum of the contact forces", 1e-9},
        {"radial_resultant", "N", radial, watch.ring_push,
@@ -191,7 +192,8 @@ StressReport settle_column(const StressCase& given) {
         "static answer of the modes to the mean load", 0.02},
        {"wall_force_lower_half", "1", lower / radial, janssen_lower_half(length),
         "Janssen (1895), decay length from the base's share of the weight; tolerance 15 %: the "
-        "column is a few stones wide", 0.15}},
+        "column is a few stones wide",
+        0.15}},
       loaded_body(body, displacement),
       {}};
   const Eigen::VectorXd hoop = hoop_stress(body, displacement);
@@ -200,7 +202,8 @@ StressReport settle_column(const StressCase& given) {
     Eigen::Index nearest;
     (body.nodes().colwise() - Vector3d(x.x, x.y, x.z)).colwise().squaredNorm().minCoeff(&nearest);
     const double outwards = (watch.nodal(0, n) * x.x + watch.nodal(1, n) * x.y) / inner;
-    report.map.push_back({std::atan2(x.y, x.x), x.z, outwards / mould.field->area[n], hoop[nearest]});
+    report.map.push_back(
+        {std::atan2(x.y, x.x), x.z, outwards / mould.field->area[n], hoop[nearest]});
   }
   return report;
 }

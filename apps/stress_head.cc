@@ -79,8 +79,9 @@ fem::Head on_longer_shaft(fem::Head head) {
   return head;
 }
 
-// Rim deflection / plate theory, as the plate becomes thin. The hub yields by a share of the plate's
-// own deflection that goes with thickness; two thin plates tell the share, and the rest is the plate.
+// Rim deflection / plate theory, as the plate becomes thin. The hub yields by a share of the
+// plate's own deflection that goes with thickness; two thin plates tell the share, and the rest is
+// the plate.
 double thin_plate_ratio(fem::Head head, fem::MeshSize mesh, double pressure, const Load& load) {
   const auto ratio = [&](double share_of_shaft) {
     head.plate_thickness = share_of_shaft * head.shaft_diameter;
@@ -117,7 +118,8 @@ StressReport press_off_centre(const StressCase& given) {
   const double a = head.plate_diameter / 2, p = given.load.pressure;
   const double slope = 4 * given.load.eccentricity / (a * a);  // p (1 + slope x) [1/m]
   const Load load = [=](const fem::ElasticBody& body) {
-    return body.face_load([=](const Vector3d& x) { return Vector3d(0, 0, p * (1 + slope * x[0])); });
+    return body.face_load(
+        [=](const Vector3d& x) { return Vector3d(0, 0, p * (1 + slope * x[0])); });
   };
   const LoadedHead loaded(head, given.mesh, load);
   const LoadedHead longer(on_longer_shaft(head), given.mesh, load);
@@ -125,14 +127,13 @@ StressReport press_off_centre(const StressCase& given) {
   const double tilt = -loaded.face_motion().tilt_y / moment;
   const double tilt_longer = -longer.face_motion().tilt_y / moment;
   const double beam = beam_rotation(head, 1);
-  return loaded.report(
-      {{"tilt_per_moment", "rad/(N m)", tilt, tilt_longer - beam,
-        "the same head on a shaft 2L, less a beam's L/(EI)", 0.01},
-       {"tilt_per_moment_of_shaft", "rad/(N m)", tilt_longer - tilt, beam,
-        "beam, L/(EI), from heads on shafts L and 2L", 0.01},
-       {"bending_stress_shaft", "Pa", -loaded.mid_shaft_stress().at_rim,
-        bending_stress(head, moment), "beam, M b/I at mid-length; the shaft is compressed at +x",
-        0.02}});
+  return loaded.report({{"tilt_per_moment", "rad/(N m)", tilt, tilt_longer - beam,
+                         "the same head on a shaft 2L, less a beam's L/(EI)", 0.01},
+                        {"tilt_per_moment_of_shaft", "rad/(N m)", tilt_longer - tilt, beam,
+                         "beam, L/(EI), from heads on shafts L and 2L", 0.01},
+                        {"bending_stress_shaft", "Pa", -loaded.mid_shaft_stress().at_rim,
+                         bending_stress(head, moment),
+                         "beam, M b/I at mid-length; the shaft is compressed at +x", 0.02}});
 }
 
 // Away from the patch that takes it, a force acts by its resultant alone (Saint-Venant).

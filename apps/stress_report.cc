@@ -18,7 +18,8 @@ bool StressReport::pass() const {
 LoadedBody loaded_body(const fem::ElasticBody& body, const Eigen::VectorXd& displacement) {
   LoadedBody loaded{body.cells(), {}, {}};
   const fem::StressField stress = body.stress(displacement);
-  loaded.displacement = displacement.reshaped(3, displacement.size() / 3)(Eigen::all, loaded.cells.node);
+  loaded.displacement =
+      displacement.reshaped(3, displacement.size() / 3)(Eigen::all, loaded.cells.node);
   loaded.stress = stress(Eigen::all, loaded.cells.node);
   return loaded;
 }

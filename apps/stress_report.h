@@ -49,8 +49,8 @@ LoadedBody loaded_body(const fem::ElasticBody& body, const Eigen::VectorXd& disp
 std::string as_table(const std::string& headline, const std::vector<StressRow>& rows);
 std::string as_json(const std::vector<StressRow>& rows);
 
-// Writes FOLDER/NAME.vtu (deformed body, displacement, stress) and, of a mould, FOLDER/NAME.csv (the
-// unrolled map, for stress_maps.py). Throws OutputError.
+// Writes FOLDER/NAME.vtu (deformed body, displacement, stress) and, of a mould, FOLDER/NAME.csv
+// (the unrolled map, for stress_maps.py). Throws OutputError.
 void draw(const StressReport& report, const std::string& folder, const std::string& name);
 
 }  // namespace apps

@@ -18,8 +18,8 @@ double approach(double modulus, double radius, double force, double compliance) 
 
 }  // namespace
 
-// A stone is pressed on the mould at mid-height, towards +x, by a force that stands in for its weight:
-// gravity along +x. It meets the reduced body through the letterbox, as in a run.
+// A stone is pressed on the mould at mid-height, towards +x, by a force that stands in for its
+// weight: gravity along +x. It meets the reduced body through the letterbox, as in a run.
 StressReport press_one_stone(const StressCase& given) {
   const ColumnOfStones& stone = given.stones;
   const fem::Mould& mould = given.mould;
@@ -47,9 +47,8 @@ StressReport press_one_stone(const StressCase& given) {
   const double compliance = modes.shape.row(3 * node).dot(amplitude);
 
   const double volume = 4.0 / 3 * std::numbers::pi * std::pow(radius, 3);
-  dem::ParticleStore stones =
-      dem::make_stones({{mould.height / 2, 0, -inner + radius}}, {radius}, stone.density, 0,
-                       stone.mass_scale);
+  dem::ParticleStore stones = dem::make_stones({{mould.height / 2, 0, -inner + radius}}, {radius},
+                                               stone.density, 0, stone.mass_scale);
   const dem::Material of_stone = {stone.young, stone.poisson};
   const dem::Material of_wall = {mould.steel.young, mould.steel.poisson};
   const double modulus = 1 / (dem::normal_compliance(of_stone) + dem::normal_compliance(of_wall));
@@ -59,8 +58,8 @@ StressReport press_one_stone(const StressCase& given) {
   dem::Settings settings;
   settings.gravity = force / (stone.density * volume);
   const double hertz = approach(modulus, radius, force, 0);
-  settings.largest_step = 0.05 * std::sqrt(stone.density * volume * stone.mass_scale * hertz /
-                                           given.load.force);
+  settings.largest_step =
+      0.05 * std::sqrt(stone.density * volume * stone.mass_scale * hertz / given.load.force);
   settings.skin = 0.1 * radius;
   dem::Simulation<DampedDry> press(std::move(stones), law, settings);
   press.add_wall(std::move(wall), law);

@@ -33,10 +33,11 @@ double shell_wave_number(const fem::Mould& mould) {
 
 double band_growth(const fem::Mould& mould, double length, double z) {
   const double beta = shell_wave_number(mould);
-  const auto from_edge = [&](double x) {  // growth at the depth x inside the edge of a half-infinite band
-    const double decayed = 0.5 * std::exp(-beta * std::abs(x)) * std::cos(beta * x);
-    return x >= 0 ? 1 - decayed : decayed;
-  };
+  const auto from_edge =
+      [&](double x) {  // growth at the depth x inside the edge of a half-infinite band
+        const double decayed = 0.5 * std::exp(-beta * std::abs(x)) * std::cos(beta * x);
+        return x >= 0 ? 1 - decayed : decayed;
+      };
   return from_edge(length / 2 - z) + from_edge(length / 2 + z) - 1;
 }
 

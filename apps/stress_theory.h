@@ -5,8 +5,8 @@
 
 namespace apps {
 
-// A cylinder with free ends under pressure [Pa] on its inner face: Lame (1852), Timoshenko & Goodier
-// (1970), article 28.
+// A cylinder with free ends under pressure [Pa] on its inner face: Lame (1852), Timoshenko &
+// Goodier (1970), article 28.
 struct LameCylinder {
   double hoop_inner, hoop_outer;  // [Pa]
   double growth;                  // radial displacement of the inner face [m]
@@ -26,13 +26,14 @@ double band_growth(const fem::Mould& mould, double length, double z);
 double michell_amplitude(const fem::Mould& mould, int n, double pressure);
 
 // The shaft as a clamped beam and bar.
-double beam_rotation(const fem::Head& head, double moment);  // M L / (E I) [rad]
-double bar_shortening(const fem::Head& head, double force);  // F L / (E A) [m]
+double beam_rotation(const fem::Head& head, double moment);   // M L / (E I) [rad]
+double bar_shortening(const fem::Head& head, double force);   // F L / (E A) [m]
 double bending_stress(const fem::Head& head, double moment);  // M b / I at the shaft's surface [Pa]
 double axial_stress(const fem::Head& head, double force);     // F / A [Pa]
 
-// Deflection [m] of the rim against the shaft's circle under uniform pressure [Pa], of a plate clamped
-// at the shaft, bending and shear (factor 5/6): Timoshenko & Woinowsky-Krieger (1959), articles 17-20.
+// Deflection [m] of the rim against the shaft's circle under uniform pressure [Pa], of a plate
+// clamped at the shaft, bending and shear (factor 5/6): Timoshenko & Woinowsky-Krieger (1959),
+// articles 17-20.
 double rim_deflection(const fem::Head& head, double pressure);
 
 }  // namespace apps

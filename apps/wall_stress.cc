@@ -57,12 +57,14 @@ int validate(const Options& options) {
 
 int main(int argc, char** argv) {
   Options options;
-  CLI::App app("Validates the stresses of mould and head against known answers; status 1 if a row fails.");
+  CLI::App app(
+      "Validates the stresses of mould and head against known answers; status 1 if a row fails.");
   app.add_option("case", options.cases, "case files (TOML)");
   app.add_flag("--all", options.all, "run every case that comes with the program");
   app.add_flag("--json", options.json, "print the rows as JSON");
-  app.add_option("--out", options.folder,
-                 "folder for pictures: deformed bodies (.vtu), unrolled maps (.csv, see stress_maps.py)");
+  app.add_option(
+      "--out", options.folder,
+      "folder for pictures: deformed bodies (.vtu), unrolled maps (.csv, see stress_maps.py)");
   app.add_option("--set", options.overrides, "key=value: overrides any key of the cases")
       ->expected(1)
       ->take_all()

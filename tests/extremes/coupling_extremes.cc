@@ -16,8 +16,8 @@ constexpr fem::Head head{.plate_diameter = 0.15,
 
 // Modes of the head: of steel; shapes and masses are those of any Young's modulus.
 const fem::ReducedBody& steel_modes() {
-  static const fem::ReducedBody modes = fem::ElasticBody(head, {.degree = 2})
-                                            .reduce(20, coupling::letterbox_points(bench::plate()));
+  static const fem::ReducedBody modes =
+      fem::ElasticBody(head, {.degree = 2}).reduce(20, coupling::letterbox_points(bench::plate()));
   return modes;
 }
 
@@ -29,8 +29,9 @@ struct Setting {
 
 class Extreme : public testing::TestWithParam<std::tuple<double, int, double>> {};
 
-// Energy: kinetic and potential energy of the stone with the strain and kinetic energy of the modes
-// never exceeds what the stone was dropped with; 2 % is the work that a delayed answer may return.
+// Energy: neither the stone (kinetic and potential) nor the strain of the modes ever holds more
+// than the stone was dropped with; 2 % is room for the work of a plate that answers one exchange
+// late.
 TEST_P(Extreme, steel_never_feeds_a_dropped_stone) {
   const auto [young, interval, mass_scale] = GetParam();
   Stone stone;
@@ -39,7 +40,7 @@ TEST_P(Extreme, steel_never_feeds_a_dropped_stone) {
   stone.x = 0.05;
   stone.height = 0.01;
   stone.modulus = 1e9;
-  auto simulation = bench::above(bench::plate(), stone, 100);
+  auto simulation = bench::above(bench::plate(), stone, 50);
   dem::Wall& wall = simulation.walls().front();
   fem::ReducedBody modes = steel_modes();
   modes.stiffness *= young / head.steel.young;
@@ -57,8 +58,7 @@ TEST_P(Extreme, steel_never_feeds_a_dropped_stone) {
     touched = touched || wall.push > 0;
     const dem::Vec3d& v = simulation.stones().velocity[0];
     const double height = simulation.stones().position[0].z - stone.radius;
-    const double energy =
-        0.5 * stone.mass() * mass_scale * dot(v, v) + stone.load * height;
+    const double energy = 0.5 * stone.mass() * mass_scale * dot(v, v) + stone.load * height;
     ASSERT_TRUE(std::isfinite(energy));
     highest = std::max(highest, energy);
     if (touched) bounced = std::max(bounced, height);
@@ -71,7 +71,6 @@ TEST_P(Extreme, steel_never_feeds_a_dropped_stone) {
 }
 INSTANTIATE_TEST_SUITE_P(sweep, Extreme,
                          testing::Combine(testing::Values(1e6, 1e8, 210e9, 1e14, 1e18),
-                                          testing::Values(1, 20, 1000),
-                                          testing::Values(1.0, 1e5)));
+                                          testing::Values(1, 20, 1000), testing::Values(1.0, 1e5)));
 
 }  // namespace

@@ -17,16 +17,18 @@ constexpr double plate_radius = 0.075;  // [m]
 constexpr double gravity = 9.81;        // [m/s2]
 
 struct Stone {
-  double radius = 6e-3;       // [m]
-  double density = 2650;      // [kg/m3]
-  double mass_scale = 1;      // inertia / true inertia [-]
-  double load = 100;          // weight, by a gravity that is made to fit [N]
-  double modulus = 50e9;      // E0 of its contact with the plate [Pa]
-  double restitution = 0.5;   // [-]
-  double x = 0, height = 0;   // of its lowest point [m]
-  double friction = 0.3;      // [-]
+  double radius = 6e-3;      // [m]
+  double density = 2650;     // [kg/m3]
+  double mass_scale = 1;     // inertia / true inertia [-]
+  double load = 100;         // weight, by a gravity that is made to fit [N]
+  double modulus = 50e9;     // E0 of its contact with the plate [Pa]
+  double restitution = 0.5;  // [-]
+  double x = 0, height = 0;  // of its lowest point [m]
+  double friction = 0.3;     // [-]
 
-  double mass() const { return density * 4.0 / 3 * std::numbers::pi * std::pow(radius, 3); }  // [kg]
+  double mass() const {
+    return density * 4.0 / 3 * std::numbers::pi * std::pow(radius, 3);
+  }                                                                       // [kg]
   double hertz() const { return 4.0 / 3 * modulus * std::sqrt(radius); }  // K of F = K d^1.5
   double overlap() const { return std::pow(load / hertz(), 2.0 / 3); }    // under its load [m]
   double stiffness() const { return 1.5 * load / overlap(); }  // dF/dd under its load [N/m]
@@ -54,14 +56,12 @@ inline dem::Wall plate() {
 inline dem::Simulation<Law> above(dem::Wall wall, const Stone& stone, double fineness = 20) {
   dem::ParticleStore stones = dem::make_stones({{stone.x, 0, stone.radius + stone.height}},
                                                {stone.radius}, stone.density, 0, stone.mass_scale);
-  const Law law = {{stone.modulus, dem::damping_ratio(stone.restitution)},
-                   0.8 * stone.modulus,
-                   stone.friction};
+  const Law law = {
+      {stone.modulus, dem::damping_ratio(stone.restitution)}, 0.8 * stone.modulus, stone.friction};
   dem::Settings settings;
   settings.gravity = stone.load / stone.mass();
   settings.safety = 1;  // the step stays at its largest
-  settings.largest_step =
-      std::sqrt(stone.mass() * stone.mass_scale / stone.stiffness()) / fineness;
+  settings.largest_step = std::sqrt(stone.mass() * stone.mass_scale / stone.stiffness()) / fineness;
   settings.skin = 0.1 * stone.radius;
   dem::Simulation<Law> simulation(std::move(stones), law, settings);
   simulation.add_wall(std::move(wall), law);

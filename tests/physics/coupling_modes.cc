@@ -24,8 +24,8 @@ std::vector<dem::Vec3d> resting_displacement(dem::Wall& wall, coupling::ElasticW
   return wall.field->displacement;
 }
 
-// The full body is the reference: far from the force, twenty modes leave out 1e-3 of the answer, the
-// share of the first compliance left out.
+// The full body is the reference: far from the force, twenty modes leave out 1e-3 of the answer,
+// the share of the first compliance left out.
 TEST(coupled_head, answers_a_lasting_force_as_the_full_body_does) {
   const fem::ElasticBody body(head, {});
   dem::Wall wall = bench::plate();
@@ -36,20 +36,20 @@ TEST(coupled_head, answers_a_lasting_force_as_the_full_body_does) {
   const dem::Vec3d point{0.05, 0, 0}, force{0, 0, 1000};
   const auto moved = resting_displacement(wall, elastic, point, force);
 
-  const Eigen::VectorXd full =
-      body.solve(body.point_load({point.x, point.y, 0}, {0, 0, force.z}));
+  const Eigen::VectorXd full = body.solve(body.point_load({point.x, point.y, 0}, {0, 0, force.z}));
   const Eigen::Matrix3Xd exact = body.face_displacement(full, coupling::letterbox_points(wall));
   const double largest = exact.row(2).cwiseAbs().maxCoeff();
   for (std::size_t n = 0; n < wall.field->size(); ++n) {
     const dem::Vec3d& x = wall.field->node[n];
     if (norm(x - point) < 0.04) continue;
-    EXPECT_NEAR(moved[n].z, exact(2, static_cast<Eigen::Index>(n)), 1e-2 * largest) << x.x << ' ' << x.y;
+    EXPECT_NEAR(moved[n].z, exact(2, static_cast<Eigen::Index>(n)), 1e-2 * largest)
+        << x.x << ' ' << x.y;
   }
 }
 
 // Angle loss under a known moment without mix, as simulated-loading devices measure it: the coupled
-// run's tilt is that of the full body to the modes' 1e-3, and lies in the range of measured machines,
-// 0.5e-4 to 5e-4 degrees per N m (FHWA; bracket of the internal-angle checks).
+// run's tilt is that of the full body to the modes' 1e-3, and lies in the range of measured
+// machines, 0.5e-4 to 5e-4 degrees per N m (FHWA; bracket of the internal-angle checks).
 TEST(coupled_head, loses_angle_under_a_known_moment) {
   const fem::ElasticBody body(head, {});
   dem::Wall wall = bench::plate();

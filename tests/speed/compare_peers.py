@@ -1,0 +1,162 @@
+"""Times dem_speed and other DEM codes in turn (A B A B) and prints one line per comparison.
+
+Read the table by its ratios: a rival and ours run one after the other on the same machine, and the
+median is that of the ratios of such neighbours. Debian's builds of the peers use no AVX; --plain adds
+our own time without it."""
+import argparse
+import json
+import os
+import shutil
+import statistics
+import subprocess
+import sys
+import tempfile
+
+HOUSE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+PROGRAMS = {"lammps_hist": "lmp", "lammps_granular": "lmp", "liggghts": "liggghts", "yade": "yade"}
+FASTER_THAN = {"lammps_hist": 5.0}  # the others are shown without a target
+QUICK_STEPS = {5000: (1000, 800)}   # before the clock starts, timed
+SPEEDUP_OF_TWO_THREADS = {5000: 1.6, 50000: 1.8}
+ASPHALT_TO_DRY = 2.0                # time per touching contact
+BYTES_PER_STONE = {"dry": 1200, "asphalt": 2500}
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--full", action="store_true", help="every installed peer and both beds")
+    parser.add_argument("--peers", default=os.path.join(os.path.dirname(HOUSE), "shared", "peers"))
+    parser.add_argument("--program", default=os.path.join(HOUSE, "build", "bin", "dem_speed"))
+    parser.add_argument("--plain", help="dem_speed built without -march=native, to show beside it")
+    parser.add_argument("--repeats", type=int, default=3)
+    options = parser.parse_args()
+    if not os.path.isfile(os.path.join(options.peers, "run_bench.py")):
+        parser.error(f"no run_bench.py in {options.peers}; name the folder with --peers")
+    if not os.access(options.program, os.X_OK):
+        parser.error(f"no program at {options.program}; build it, or name it with --program")
+    return options
+
+
+class Table:
+    """Prints a line at a time and remembers whether all targets hold."""
+
+    layout = "{:<34} {:>7} {:>5}  {:>10} {:>10} {:>7}  {:>8}  {}"
+
+    def __init__(self):
+        self.holds = True
+        print(self.layout.format("comparison", "stones", "cores", "ours", "theirs", "ratio",
+                                 "target", "holds"))
+
+    def line(self, name, stones, cores, ours, theirs, ratio, least=None, most=None):
+        holds = (least is None or ratio >= least) and (most is None or ratio <= most)
+        self.holds &= holds
+        target = f">= {least:g}" if least else f"<= {most:g}" if most else "-"
+        verdict = ("yes" if holds else "NO") if least or most else "-"
+        show = lambda value: "-" if value is None else f"{value:.4g}"
+        print(self.layout.format(name, stones, cores, show(ours), show(theirs), f"{ratio:.2f}",
+                                 target, verdict), flush=True)
+
+
+class Beds:
+    """Runs ours and the peers' codes on the shared beds."""
+
+    def __init__(self, options, folder):
+        sys.path.insert(0, options.peers)
+        import beds
+        import run_bench
+        self.options, self.folder = options, folder
+        self.bench, self.beds = run_bench, beds
+
+    def steps(self, code, stones):
+        if not self.options.full:
+            return QUICK_STEPS[stones]
+        return self.bench.STEPS[code][stones]
+
+    def ours(self, law, stones, cores, steps, program=None):
+        command = [program or self.options.program, "--law", law, "--threads", str(cores), "--json",
+                   "--bed", os.path.join(self.options.peers, "beds", f"bed_{stones}.csv"),
+                   "--warmup", str(steps[0]), "--steps", str(steps[1])]
+        done = subprocess.run(command, capture_output=True, text=True)
+        if done.returncode:
+            sys.exit("failed: " + " ".join(command) + "\n" + done.stderr)
+        return json.loads(done.stdout)
+
+    def write_data(self, stones):
+        position, radius = self.beds.read_bed(f"{self.options.peers}/beds/bed_{stones}.csv")
+        self.beds.write_data(f"{self.folder}/data_{stones}", position, radius,
+                             self.beds.cyl_radius(stones), "lammps")
+
+    def theirs(self, code, stones, cores, steps):
+        run = self.bench.one(code, stones, cores, self.bench.BEST[code], *steps, self.folder)
+        return 1e3 * run["wall"] / run["steps"]
+
+
+def compare_with_peer(beds, table, code, stones, cores):
+    steps = beds.steps(code, stones)
+    ours, theirs = [], []
+    for _ in range(beds.options.repeats):
+        ours.append(beds.ours("dry", stones, cores, steps)["ms_per_step"])
+        theirs.append(beds.theirs(code, stones, cores, steps))
+    ratio = statistics.median(b / a for a, b in zip(ours, theirs))
+    table.line(f"{code} [ms/step]", stones, cores, statistics.median(ours),
+               statistics.median(theirs), ratio, least=FASTER_THAN.get(code))
+
+
+def compare_with_self(beds, table, stones):
+    """The targets that need no peer."""
+    steps = beds.steps("lammps_hist", stones)
+    rounds = [{name: beds.ours(law, stones, cores, steps)
+               for name, law, cores in (("one", "dry", 1), ("two", "dry", 2), ("asphalt", "asphalt", 1))}
+              for _ in range(beds.options.repeats)]
+
+    def per_contact(run):
+        return 1e9 / run["contact_steps_per_s"]
+
+    def medians(a, b):
+        values = [(a(round), b(round)) for round in rounds]
+        return [statistics.median(column) for column in zip(*((x, y, y / x) for x, y in values))]
+
+    one, two, gain = medians(lambda r: r["two"]["ms_per_step"], lambda r: r["one"]["ms_per_step"])
+    table.line("two threads for one [ms/step]", stones, 2, one, two, gain,
+               least=SPEEDUP_OF_TWO_THREADS[stones])
+    dry, asphalt, ratio = medians(lambda r: per_contact(r["one"]), lambda r: per_contact(r["asphalt"]))
+    table.line("asphalt for dry [ns/contact]", stones, 1, asphalt, dry, ratio, most=ASPHALT_TO_DRY)
+    for law, run in (("dry", rounds[0]["one"]), ("asphalt", rounds[0]["asphalt"])):
+        table.line(f"{law} memory [B/stone]", stones, 1, run["bytes_per_stone"], BYTES_PER_STONE[law],
+                   run["bytes_per_stone"] / BYTES_PER_STONE[law], most=1.0)
+
+
+def compare_builds(beds, table, stones):
+    """Ours for any x86-64 against ours for this machine."""
+    steps = beds.steps("lammps_hist", stones)
+    native, plain = [], []
+    for _ in range(beds.options.repeats):
+        native.append(beds.ours("dry", stones, 1, steps)["ms_per_step"])
+        plain.append(beds.ours("dry", stones, 1, steps, beds.options.plain)["ms_per_step"])
+    ratio = statistics.median(b / a for a, b in zip(native, plain))
+    table.line("ours without AVX [ms/step]", stones, 1, statistics.median(native),
+               statistics.median(plain), ratio)
+
+
+def main():
+    options = arguments()
+    wanted = PROGRAMS if options.full else ["lammps_hist"]
+    codes = [code for code in wanted if shutil.which(PROGRAMS[code])]
+    for code in wanted:
+        if code not in codes:
+            print(f"{code}: {PROGRAMS[code]} is not installed, left out")
+    table = Table()
+    with tempfile.TemporaryDirectory() as folder:
+        beds = Beds(options, folder)
+        for stones in (5000, 50000) if options.full else (5000,):
+            beds.write_data(stones)
+            for code in codes:
+                for cores in (1, 2):
+                    compare_with_peer(beds, table, code, stones, cores)
+            if options.plain:
+                compare_builds(beds, table, stones)
+            compare_with_self(beds, table, stones)
+    sys.exit(0 if table.holds and codes else 1)
+
+
+if __name__ == "__main__":
+    main()
