@@ -22,7 +22,8 @@ inline constexpr int highest_points = 10;
 template <class Law>
 double largest_step(const Law& law, const dem::ParticleStore& stones, double safety) {
   const double radius = *std::min_element(stones.radius.begin(), stones.radius.end());
-  const double mass = stones.inertia_scale * *std::min_element(stones.mass.begin(), stones.mass.end());
+  const double mass =
+      stones.inertia_scale * *std::min_element(stones.mass.begin(), stones.mass.end());
   dem::Contact<double> contact = {};
   contact.overlap = stones.shell > 0 ? 2 * stones.shell : 1e-4 * radius;
   contact.outer_radius = (radius + stones.shell) / 2;
@@ -57,9 +58,9 @@ dem::Simulation<Law> make_bed(const StonesScene& stones, const Mix& mix, const L
   return dem::Simulation<Law>(std::move(store), law, settings);
 }
 
-// Lets the bed settle until its kinetic energy is below rest_energy x sum of m g R; motion also dies
-// out by a drag of twice the rate of free fall over the depth of the gas, which only this stage has.
-// Stops with NumericalTrouble if the bed does not come to rest within 100 such times.
+// Lets the bed settle until its kinetic energy is below rest_energy x sum of m g R; motion also
+// dies out by a drag of twice the rate of free fall over the depth of the gas, which only this
+// stage has. Stops with NumericalTrouble if the bed does not come to rest within 100 such times.
 template <class Law>
 void settle(dem::Simulation<Law>& bed, const FillScene& fill,
             const std::function<void(double progress)>& report) {

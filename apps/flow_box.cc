@@ -11,8 +11,8 @@
 namespace apps {
 
 void check_box(const FlowTestScene& scene, const Mix& mix) {
-  constexpr double reference_voids = 0.04;        // of the height that the mix would fill [-]
-  constexpr double lowest = 0.5, highest = 1.5;   // filled height / height of the box
+  constexpr double reference_voids = 0.04;       // of the height that the mix would fill [-]
+  constexpr double lowest = 0.5, highest = 1.5;  // filled height / height of the box
   const FlowScene& flow = scene.flow;
   std::vector<std::string> mistakes;
   const double volume = (mix.stone_volume + mix.binder_volume) / (1 - reference_voids);

@@ -1,5 +1,5 @@
-// One compaction flow test: fill a rigid box, press a strip into one side of the mix, watch the force
-// and how the rest rises. Nothing of the elastic steel is known here.
+// One compaction flow test: fill a rigid box, press a strip into one side of the mix, watch the
+// force and how the rest rises. Nothing of the elastic steel is known here.
 #pragma once
 
 #include <fmt/format.h>
@@ -36,9 +36,9 @@ class FlowRun {
   const LawBook& book_;
   Law wall_law_;
   dem::Simulation<Law> bed_;
-  std::size_t strip_ = 0;     // its place among the walls
-  double started_at_ = 0;     // [s]
-  double bed_height_ = 0;     // mean of the highest points of the settled bed [m]
+  std::size_t strip_ = 0;  // its place among the walls
+  double started_at_ = 0;  // [s]
+  double bed_height_ = 0;  // mean of the highest points of the settled bed [m]
   double largest_pressure_ = 0, lowest_uplift_ = 0, uplift_ = 0;  // [Pa], [m], [m]
   int pictures_ = 0;
   std::optional<Series> stone_series_, strip_series_;
@@ -105,8 +105,8 @@ void FlowRun<Law>::lower_strip() {
 
 template <class Law>
 std::vector<Column> FlowRun<Law>::columns() {
-  return {{"time", "s"},      {"displacement", "m"}, {"force", "N"},     {"pressure", "Pa"},
-          {"uplift", "m"},    {"fractured", "1"},    {"bonds", "1"},     {"coordination", "1"},
+  return {{"time", "s"},           {"displacement", "m"}, {"force", "N"}, {"pressure", "Pa"},
+          {"uplift", "m"},         {"fractured", "1"},    {"bonds", "1"}, {"coordination", "1"},
           {"kinetic_energy", "J"}, {"time_step", "s"}};
 }
 
@@ -147,11 +147,12 @@ void FlowRun<Law>::press(Recorder& recorder, const std::string& folder, Progress
       recorder.flush();
       next_flush = wall_clock() + 5;
     }
-    progress.report((bed_.time() - started_at_) / length,
-                    fmt::format("time {:.2f} s, displacement {:.2f} mm, pressure {:.1f} kPa, uplift "
-                                "{:+.2f} mm, step {:.1e} s",
-                                bed_.time() - started_at_, 1e3 * displacement, 1e-3 * pressure,
-                                1e3 * uplift_, bed_.time_step()));
+    progress.report(
+        (bed_.time() - started_at_) / length,
+        fmt::format("time {:.2f} s, displacement {:.2f} mm, pressure {:.1f} kPa, uplift "
+                    "{:+.2f} mm, step {:.1e} s",
+                    bed_.time() - started_at_, 1e3 * displacement, 1e-3 * pressure, 1e3 * uplift_,
+                    bed_.time_step()));
   }
   draw(folder);
   recorder.flush();

@@ -21,9 +21,10 @@ void press(const apps::Options& options) {
   const double began = apps::wall_clock();
   apps::claim_folder(options.out);
   apps::with_law(book, [&]<class Law>() {
-    apps::Recorder recorder(options.out + "/results.h5",
-                            apps::provenance("flow_test", options, scene.source.text, scene.run.seed),
-                            apps::FlowRun<Law>::columns());
+    apps::Recorder recorder(
+        options.out + "/results.h5",
+        apps::provenance("flow_test", options, scene.source.text, scene.run.seed),
+        apps::FlowRun<Law>::columns());
     apps::Progress progress(std::cout, isatty(STDOUT_FILENO), options.quiet);
     apps::FlowRun<Law> run(scene, mix, book);
     run.fill(progress);
@@ -31,14 +32,13 @@ void press(const apps::Options& options) {
     recorder.write("/stones/radius", mix.radius, "m");
     apps::Progress pressing(std::cout, isatty(STDOUT_FILENO), options.quiet);
     run.press(recorder, options.out, pressing);
-    apps::write_summary(options.out + "/summary.json",
-                        run.findings(apps::wall_clock() - began));
+    apps::write_summary(options.out + "/summary.json", run.findings(apps::wall_clock() - began));
   });
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return apps::run_program(argc, argv, "Compaction flow test of hot asphalt mix in a rigid box.", "run",
-                           press);
+  return apps::run_program(argc, argv, "Compaction flow test of hot asphalt mix in a rigid box.",
+                           "run", press);
 }

@@ -20,9 +20,10 @@ void compact(const apps::Options& options) {
   const double began = apps::wall_clock();
   apps::claim_folder(options.out);
   apps::with_law(book, [&]<class Law>() {
-    apps::Recorder recorder(options.out + "/results.h5",
-                            apps::provenance("gyratory", options, scene.source.text, scene.run.seed),
-                            apps::GyratoryRun<Law>::columns());
+    apps::Recorder recorder(
+        options.out + "/results.h5",
+        apps::provenance("gyratory", options, scene.source.text, scene.run.seed),
+        apps::GyratoryRun<Law>::columns());
     apps::Progress progress(std::cout, isatty(STDOUT_FILENO), options.quiet);
     apps::GyratoryRun<Law> run(scene, mix, book, machine);
     run.fill(progress);
@@ -32,8 +33,7 @@ void compact(const apps::Options& options) {
     recorder.write("/stones/radius", mix.radius, "m");
     apps::Progress compaction(std::cout, isatty(STDOUT_FILENO), options.quiet);
     run.compact(recorder, options.out, compaction);
-    apps::write_summary(options.out + "/summary.json",
-                        run.findings(apps::wall_clock() - began));
+    apps::write_summary(options.out + "/summary.json", run.findings(apps::wall_clock() - began));
   });
 }
 
@@ -41,6 +41,6 @@ void compact(const apps::Options& options) {
 
 int main(int argc, char** argv) {
   return apps::run_program(argc, argv,
-                           "Gyratory compaction of hot asphalt mix in a steel mould (DEM + FE).", "run",
-                           compact);
+                           "Gyratory compaction of hot asphalt mix in a steel mould (DEM + FE).",
+                           "run", compact);
 }

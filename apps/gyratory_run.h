@@ -35,7 +35,7 @@ class GyratoryRun {
 
   // Means over the time since the last row, so that a row carries balance and not chatter.
   struct Means {
-    double span = 0;  // [s]
+    double span = 0;                                   // [s]
     dem::Vec3d force = {0, 0, 0}, moment = {0, 0, 0};  // on the head [N s], [N m s]
     double mould_push = 0, ram_force = 0;              // [N s]
   };
@@ -54,8 +54,8 @@ class GyratoryRun {
   const Machine& machine_;
   dem::Simulation<Law> bed_;
   std::optional<SteelPart> elastic_mould_, elastic_head_;
-  double head_mass_ = 0;     // [kg]
-  double closed_at_ = 0;     // when the plate came down [s]
+  double head_mass_ = 0;       // [kg]
+  double closed_at_ = 0;       // when the plate came down [s]
   double settled_height_ = 0;  // of the bed then, mean of its highest points [m]
   std::int64_t settled_steps_ = 0;
   Means means_;
@@ -195,25 +195,25 @@ std::vector<double> GyratoryRun<Law>::row() {
   const double degree = 180 / std::numbers::pi;
   const dem::PlateFace face = dem::plate_face(bed_.walls()[head]);
   const double span = means_.span;
-  const std::vector<double> values = {
-      bed_.time() - closed_at_,
-      std::max(0.0, gyration()),
-      face.mean_height,
-      air_voids(face.mean_height),
-      means_.ram_force / span / machine_.section,
-      means_.force.z / span,
-      means_.force.x / span,
-      means_.force.y / span,
-      means_.moment.x / span,
-      means_.moment.y / span,
-      scene_.gyration.angle * degree,
-      face.angle * degree,
-      static_cast<double>(bed_.cracks().size()),
-      static_cast<double>(bed_.pairs().held()),
-      2.0 * static_cast<double>(bed_.pairs().touching()) / static_cast<double>(bed_.stones().size()),
-      dem::kinetic_energy(bed_.stones()),
-      means_.mould_push / span,
-      bed_.time_step()};
+  const std::vector<double> values = {bed_.time() - closed_at_,
+                                      std::max(0.0, gyration()),
+                                      face.mean_height,
+                                      air_voids(face.mean_height),
+                                      means_.ram_force / span / machine_.section,
+                                      means_.force.z / span,
+                                      means_.force.x / span,
+                                      means_.force.y / span,
+                                      means_.moment.x / span,
+                                      means_.moment.y / span,
+                                      scene_.gyration.angle * degree,
+                                      face.angle * degree,
+                                      static_cast<double>(bed_.cracks().size()),
+                                      static_cast<double>(bed_.pairs().held()),
+                                      2.0 * static_cast<double>(bed_.pairs().touching()) /
+                                          static_cast<double>(bed_.stones().size()),
+                                      dem::kinetic_energy(bed_.stones()),
+                                      means_.mould_push / span,
+                                      bed_.time_step()};
   means_ = {};
   return values;
 }
@@ -260,12 +260,14 @@ void GyratoryRun<Law>::compact(Recorder& recorder, const std::string& folder, Pr
       next_flush = wall_clock() + 5;
     }
     const double height = dem::plate_face(bed_.walls()[head]).mean_height;
-    const double rate = static_cast<double>(bed_.steps() - first_step) / (wall_clock() - began + 1e-9);
-    progress.report((bed_.time() - closed_at_) / length,
-                    fmt::format("time {:.2f} s, gyration {:.2f}, height {:.2f} mm, air voids {:.2f} %, "
-                                "{:.0f} steps/s",
-                                bed_.time() - closed_at_, std::max(0.0, gyration()), 1e3 * height,
-                                1e2 * air_voids(height), rate));
+    const double rate =
+        static_cast<double>(bed_.steps() - first_step) / (wall_clock() - began + 1e-9);
+    progress.report(
+        (bed_.time() - closed_at_) / length,
+        fmt::format("time {:.2f} s, gyration {:.2f}, height {:.2f} mm, air voids {:.2f} %, "
+                    "{:.0f} steps/s",
+                    bed_.time() - closed_at_, std::max(0.0, gyration()), 1e3 * height,
+                    1e2 * air_voids(height), rate));
   }
   draw(folder);
   recorder.flush();
@@ -343,7 +345,8 @@ std::vector<Finding> GyratoryRun<Law>::findings(double wall_seconds) const {
     found.push_back({"head_truncation_error", elastic_head_->coupled().body().truncation_error});
   }
   if (elastic_mould_) {
-    found.push_back({"mould_unknowns", static_cast<std::int64_t>(elastic_mould_->body().unknowns())});
+    found.push_back(
+        {"mould_unknowns", static_cast<std::int64_t>(elastic_mould_->body().unknowns())});
     found.push_back({"mould_truncation_error", elastic_mould_->coupled().body().truncation_error});
   }
   return found;

@@ -11,9 +11,10 @@ void LawBook::check(const SceneSource& source) const {
                        std::to_string(most_prony_terms) + " Prony terms, found " +
                        std::to_string(prony_terms()) + "; leave out the least weights");
   if (damping() && (binder_ || fracture()))
-    mistakes.push_back(source.where("stones.restitution") +
-                       ": expected no restitution where stones have binder or may break, found one; "
-                       "remove it, binder and fracture dissipate by themselves");
+    mistakes.push_back(
+        source.where("stones.restitution") +
+        ": expected no restitution where stones have binder or may break, found one; "
+        "remove it, binder and fracture dissipate by themselves");
   if (!mistakes.empty()) throw InputError(mistakes);
 }
 

@@ -1,4 +1,5 @@
-// Which contact law a scene asks for. A new law is one header in dem/laws/ and one line in `with_law`.
+// Which contact law a scene asks for. A new law is one header in dem/laws/ and one line in
+// `with_law`.
 #pragma once
 
 #include <array>
@@ -37,7 +38,10 @@ inline constexpr int most_prony_terms = 8;
 class LawBook {
  public:
   LawBook(const StonesScene& stones, const std::optional<BinderScene>& binder, const Mix& mix)
-      : stones_(stones), binder_(binder), shell_(mix.shell), bitumen_fraction_(mix.bitumen_fraction) {}
+      : stones_(stones),
+        binder_(binder),
+        shell_(mix.shell),
+        bitumen_fraction_(mix.bitumen_fraction) {}
 
   // The law of a stone with its counterpart; bonds: may shells that were pressed carry tension.
   template <class Law>
@@ -80,7 +84,8 @@ struct LawBook::Make<dem::Mindlin<dem::Hertz<damping>>> {
 
 template <class Stone>
 struct LawBook::Make<dem::Fracture<Stone>> {
-  static dem::Fracture<Stone> from(const LawBook& book, const Counterpart& counterpart, bool bonds) {
+  static dem::Fracture<Stone> from(const LawBook& book, const Counterpart& counterpart,
+                                   bool bonds) {
     const double stone = dem::normal_compliance(book.stone());
     const double wall = counterpart.wall ? dem::normal_compliance(*counterpart.wall) : 0;
     return {Make<Stone>::from(book, counterpart, bonds), stone / (stone + wall)};
@@ -120,7 +125,9 @@ template <class Run>
 auto with_law(const LawBook& book, Run run) {
   const int terms = book.prony_terms();
   if (terms == 0 && book.damping()) return run.template operator()<DampedDry>();
-  if (terms == 0) return book.fracture() ? run.template operator()<BreakingDry>() : run.template operator()<Dry>();
+  if (terms == 0)
+    return book.fracture() ? run.template operator()<BreakingDry>()
+                           : run.template operator()<Dry>();
   if (terms <= 2)
     return book.fracture() ? run.template operator()<BreakingAsphalt<2>>()
                            : run.template operator()<Asphalt<2>>();

@@ -8,13 +8,13 @@
 
 #include "apps/errors.h"
 
-
 namespace apps {
 namespace {
 
-constexpr double reference_voids = 0.04;     // of the specimen that sizes a mould [-]
-constexpr double clearance_share = 1.5e-3;   // plate clearance / mould diameter (EN 12697-31) [-]
-constexpr double lowest = 0.3, highest = 3;  // specimen height / diameter that still is a compaction
+constexpr double reference_voids = 0.04;    // of the specimen that sizes a mould [-]
+constexpr double clearance_share = 1.5e-3;  // plate clearance / mould diameter (EN 12697-31) [-]
+constexpr double lowest = 0.3,
+                 highest = 3;  // specimen height / diameter that still is a compaction
 constexpr double least_stones_across = 2.5;  // mould diameter / largest stone
 
 }  // namespace
@@ -28,21 +28,22 @@ Machine size_machine(const GyratoryScene& scene, const Mix& mix) {
   std::vector<std::string> mistakes;
   if (height < lowest * diameter || height > highest * diameter) {
     const double per_stone = height / diameter / scene.stones.count;
-    mistakes.push_back(scene.where("stones.count") + ": expected " +
-                       std::to_string(static_cast<int>(std::ceil(lowest / per_stone))) + " to " +
-                       std::to_string(static_cast<int>(highest / per_stone)) +
-                       " stones for a mould of " + fmt::format("{:.4g}", 1e3 * diameter) + " mm, found " +
-                       std::to_string(scene.stones.count) +
-                       "; change the count, or give mould.aspect_ratio instead of mould.diameter to "
-                       "scale the mould to the stones");
+    mistakes.push_back(
+        scene.where("stones.count") + ": expected " +
+        std::to_string(static_cast<int>(std::ceil(lowest / per_stone))) + " to " +
+        std::to_string(static_cast<int>(highest / per_stone)) + " stones for a mould of " +
+        fmt::format("{:.4g}", 1e3 * diameter) + " mm, found " + std::to_string(scene.stones.count) +
+        "; change the count, or give mould.aspect_ratio instead of mould.diameter to "
+        "scale the mould to the stones");
   }
   const double largest = 2 * mix.largest_radius();
   if (diameter < least_stones_across * largest)
     mistakes.push_back(scene.where(scene.mould.diameter ? "mould.diameter" : "stones.count") +
                        ": expected a mould of at least " +
                        fmt::format("{:.4g}", 1e3 * least_stones_across * largest) +
-                       " mm for a largest stone of " + fmt::format("{:.4g}", 1e3 * largest) + " mm, found " +
-                       fmt::format("{:.4g}", 1e3 * diameter) + " mm; take a wider mould or more stones");
+                       " mm for a largest stone of " + fmt::format("{:.4g}", 1e3 * largest) +
+                       " mm, found " + fmt::format("{:.4g}", 1e3 * diameter) +
+                       " mm; take a wider mould or more stones");
   if (!mistakes.empty()) throw InputError(mistakes);
   const double radius = diameter / 2;
   return {radius, radius * (1 - clearance_share), pi * radius * radius};

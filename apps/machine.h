@@ -14,8 +14,9 @@ struct Machine {
   double specimen_volume(double height) const { return section * height; }  // [m3]
 };
 
-// The mould as the scene gives it, or scaled to the mix: height / diameter of the specimen at 4 % air
-// voids is then mould.aspect_ratio. Throws InputError if stones and mould do not fit each other.
+// The mould as the scene gives it, or scaled to the mix: height / diameter of the specimen at 4 %
+// air voids is then mould.aspect_ratio. Throws InputError if stones and mould do not fit each
+// other.
 Machine size_machine(const GyratoryScene& scene, const Mix& mix);
 
 // Mass of the head of a scene whose head is rigid [kg]: as given, else a steel plate of 20 mm.

@@ -9,8 +9,12 @@
 
 namespace apps {
 
-double Mix::smallest_radius() const { return *std::min_element(radius.begin(), radius.end()); }
-double Mix::largest_radius() const { return *std::max_element(radius.begin(), radius.end()); }
+double Mix::smallest_radius() const {
+  return *std::min_element(radius.begin(), radius.end());
+}
+double Mix::largest_radius() const {
+  return *std::max_element(radius.begin(), radius.end());
+}
 
 Mix prepare_mix(const StonesScene& stones, const std::optional<BinderScene>& binder, int seed) {
   const dem::SizeDistribution sizes =

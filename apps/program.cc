@@ -1,8 +1,8 @@
 #include "apps/program.h"
 
-#include <CLI/CLI.hpp>
 #include <omp.h>
 #include <unistd.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -39,8 +39,8 @@ int run_program(int argc, char** argv, const std::string& purpose, const std::st
     for (const std::string& line : error.mistakes) std::cerr << line << '\n';
     return bad_input;
   } catch (const dem::NumericalTrouble& trouble) {
-    std::cerr << "stopped: stone " << trouble.stone << ", time " << trouble.time << " s: "
-              << trouble.what() << " = " << trouble.value << '\n';
+    std::cerr << "stopped: stone " << trouble.stone << ", time " << trouble.time
+              << " s: " << trouble.what() << " = " << trouble.value << '\n';
     return numerical_trouble;
   } catch (const NotANumber& trouble) {
     std::cerr << "stopped: " << trouble.what() << '\n';
@@ -60,8 +60,9 @@ void claim_folder(const std::string& folder) {
   namespace fs = std::filesystem;
   std::error_code error;
   if (fs::exists(fs::path(folder) / "results.h5", error))
-    throw OutputError(folder + ": expected a folder without results, found results.h5; "
-                               "choose another --out or move the old run away");
+    throw OutputError(folder +
+                      ": expected a folder without results, found results.h5; "
+                      "choose another --out or move the old run away");
   fs::create_directories(folder, error);
   if (error) throw OutputError(folder + ": cannot be created: " + error.message());
 }

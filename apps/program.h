@@ -19,9 +19,9 @@ struct Options {
   std::string command_line;
 };
 
-// Runs `body` with the options of the command line and turns what it throws into messages on standard
-// error and an exit status (errors.h; 0 for --help). `purpose` is the line shown by --help,
-// `default_out` what --out is without being given.
+// Runs `body` with the options of the command line and turns what it throws into messages on
+// standard error and an exit status (errors.h; 0 for --help). `purpose` is the line shown by
+// --help, `default_out` what --out is without being given.
 int run_program(int argc, char** argv, const std::string& purpose, const std::string& default_out,
                 const std::function<void(const Options&)>& body);
 

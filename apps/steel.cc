@@ -12,12 +12,18 @@ constexpr int sectors = 24;
 constexpr int plate_rings = 6;
 
 fem::Head head_of(const ElasticHeadScene& scene, const Machine& machine) {
-  return {2 * machine.plate_radius, scene.plate_thickness, scene.shaft_diameter, scene.shaft_length,
+  return {2 * machine.plate_radius,
+          scene.plate_thickness,
+          scene.shaft_diameter,
+          scene.shaft_length,
           {scene.young, scene.poisson, scene.density}};
 }
 
 fem::Mould mould_of(const ElasticMouldScene& scene, const Machine& machine) {
-  return {2 * machine.mould_radius, scene.wall_thickness, scene.height, fem::BaseSupport::clamped,
+  return {2 * machine.mould_radius,
+          scene.wall_thickness,
+          scene.height,
+          fem::BaseSupport::clamped,
           {scene.young, scene.poisson, scene.density}};
 }
 
@@ -53,9 +59,8 @@ SteelPart::Tilt SteelPart::tilt() const {
   const Eigen::VectorXd moment = body_.face_load([&](const Eigen::Vector3d& x) {
     return Eigen::Vector3d(0, 0, -4 * x.x() / (pi * std::pow(a, 4)));
   });
-  const Eigen::VectorXd force = body_.face_load([&](const Eigen::Vector3d&) {
-    return Eigen::Vector3d(1 / (pi * a * a), 0, 0);
-  });
+  const Eigen::VectorXd force = body_.face_load(
+      [&](const Eigen::Vector3d&) { return Eigen::Vector3d(1 / (pi * a * a), 0, 0); });
   return {body_.face_motion(body_.solve(moment).col(0)).tilt_y,
           body_.face_motion(body_.solve(force).col(0)).tilt_y};
 }
@@ -79,9 +84,9 @@ void SteelPart::draw(const std::string& vtu, const dem::Frame& frame) const {
     shift.values.insert(shift.values.end(), {u.x(), u.y(), u.z()});
     const auto s = stress.col(p);
     tensor.values.insert(tensor.values.end(), s.begin(), s.end());
-    mises.values.push_back(std::sqrt(0.5 * (std::pow(s[0] - s[1], 2) + std::pow(s[1] - s[2], 2) +
-                                            std::pow(s[2] - s[0], 2)) +
-                                     3 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5])));
+    mises.values.push_back(std::sqrt(
+        0.5 * (std::pow(s[0] - s[1], 2) + std::pow(s[1] - s[2], 2) + std::pow(s[2] - s[0], 2)) +
+        3 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5])));
   }
   write_hexahedra(vtu, place, cells.hexahedra, {shift, mises, tensor});
 }

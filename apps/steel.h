@@ -1,5 +1,5 @@
-// The elastic steel of a gyratory scene: what the scene names is meshed, reduced and coupled; what it
-// does not name does not exist.
+// The elastic steel of a gyratory scene: what the scene names is meshed, reduced and coupled; what
+// it does not name does not exist.
 #pragma once
 
 #include <optional>

@@ -8,7 +8,8 @@ void draw_stones(const std::string& vtp, const dem::ParticleStore& stones,
                  const std::vector<int>& coordination) {
   Eigen::Matrix3Xd place(3, stones.size());
   Array diameter = {"diameter [m]", 1, {}}, shell = {"diameter with shell [m]", 1, {}};
-  Array id = {"id [1]", 1, {}}, broken = {"broken [1]", 1, {}}, touching = {"coordination [1]", 1, {}};
+  Array id = {"id [1]", 1, {}}, broken = {"broken [1]", 1, {}},
+        touching = {"coordination [1]", 1, {}};
   Array velocity = {"velocity [m/s]", 3, {}};
   for (std::size_t k = 0; k < stones.size(); ++k) {
     place.col(k) << stones.position[k].x, stones.position[k].y, stones.position[k].z;

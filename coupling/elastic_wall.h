@@ -1,12 +1,12 @@
 // An elastic wall in the run: the modes of a reduced steel body, driven by what the stones leave in
 // the letterbox, answering through how the letterbox moves.
 //
-// A mode whose compliance could answer the bed strongly (gain = bed stiffness / modal stiffness above
-// `static_gain`) is an oscillator with scaled modal mass and damping that moves with every time step,
-// stable for any softness; the others follow statically at every exchange with relaxation
-// 1 / (1 + gain), at most 1/2. The gain comes from a bound on the bed's stiffness, bed_modulus x face
-// area / face size. Plain static exchange diverges where the gain exceeds 1, which head tilt and mould
-// ovalling do.
+// A mode whose compliance could answer the bed strongly (gain = bed stiffness / modal stiffness
+// above `static_gain`) is an oscillator with scaled modal mass and damping that moves with every
+// time step, stable for any softness; the others follow statically at every exchange with
+// relaxation 1 / (1 + gain), at most 1/2. The gain comes from a bound on the bed's stiffness,
+// bed_modulus x face area / face size. Plain static exchange diverges where the gain exceeds 1,
+// which head tilt and mould ovalling do.
 #pragma once
 
 #include <Eigen/Dense>
@@ -18,11 +18,11 @@
 namespace coupling {
 
 struct ExchangeSettings {
-  int interval = 10;          // time steps between two exchanges of the static modes
-  double inertia_scale = 1;   // modal mass / true modal mass [-]
-  double damping = 0.15;      // of the critical damping of each oscillator [-]
-  double static_gain = 0.1;   // modes below it follow statically [-]
-  double bed_modulus = 1e9;   // bound of the bed's confined modulus [Pa]
+  int interval = 10;         // time steps between two exchanges of the static modes
+  double inertia_scale = 1;  // modal mass / true modal mass [-]
+  double damping = 0.15;     // of the critical damping of each oscillator [-]
+  double static_gain = 0.1;  // modes below it follow statically [-]
+  double bed_modulus = 1e9;  // bound of the bed's confined modulus [Pa]
 };
 
 class ElasticWall {
@@ -43,15 +43,15 @@ class ElasticWall {
 
   fem::ReducedBody body_;
   ExchangeSettings settings_;
-  Eigen::VectorXd gain_;       // bed stiffness / modal stiffness [-]
+  Eigen::VectorXd gain_;                             // bed stiffness / modal stiffness [-]
   std::vector<Eigen::Index> oscillators_, statics_;  // the modes of either kind
-  Eigen::MatrixXd swinging_, following_;  // their shapes at the nodes [-]
-  Eigen::VectorXd amplitude_, velocity_;  // of all modes [m], [m/s]
-  Eigen::VectorXd gathered_;   // impulse since the last exchange [N s]
-  Eigen::VectorXd static_velocity_;       // of the nodes until the next exchange [m/s]
-  double bed_stiffness_;       // bound [N/m]
-  double span_ = 0;            // time since the last exchange [s]
-  int waited_ = 0;             // steps since the last exchange
+  Eigen::MatrixXd swinging_, following_;             // their shapes at the nodes [-]
+  Eigen::VectorXd amplitude_, velocity_;             // of all modes [m], [m/s]
+  Eigen::VectorXd gathered_;                         // impulse since the last exchange [N s]
+  Eigen::VectorXd static_velocity_;                  // of the nodes until the next exchange [m/s]
+  double bed_stiffness_;                             // bound [N/m]
+  double span_ = 0;                                  // time since the last exchange [s]
+  int waited_ = 0;                                   // steps since the last exchange
 };
 
 // The points at which a reduced body must be sampled for a wall's letterbox: (3, nodes) [m].

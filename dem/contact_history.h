@@ -38,7 +38,8 @@ class ContactHistory {
 
   bool holds(std::size_t s) const { return Law::template holds<double>(slot(s)); }
 
-  // The memories of a rebuilt list: new slot s takes over those of old slot previous[s], -1 for none.
+  // The memories of a rebuilt list: new slot s takes over those of old slot previous[s], -1 for
+  // none.
   void carry(std::span<const std::int32_t> previous) {
     ContactHistory old = std::move(*this);
     resize(previous.size());
@@ -58,8 +59,8 @@ class ContactHistory {
   std::vector<Block> blocks_;
 };
 
-// The memory of the contacts that start at a slot, as a law wants it: a block in place for a Pack, a
-// copy that is put back for a double.
+// The memory of the contacts that start at a slot, as a law wants it: a block in place for a Pack,
+// a copy that is put back for a double.
 template <class Law, class T>
 struct MemoryOf {
   using Value = typename Law::template Memory<T>;

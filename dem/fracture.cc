@@ -6,8 +6,7 @@ namespace dem {
 
 void make_breakable(ParticleStore& stones, std::vector<double> strength_by_id) {
   stones.strength.resize(stones.size());
-  for (std::size_t k = 0; k < stones.size(); ++k)
-    stones.strength[k] = strength_by_id[stones.id[k]];
+  for (std::size_t k = 0; k < stones.size(); ++k) stones.strength[k] = strength_by_id[stones.id[k]];
   stones.softness.assign(stones.size(), 1.0);
   stones.crush.assign(stones.size(), 0.0);
 }
@@ -21,9 +20,9 @@ std::vector<std::int32_t> overloaded(const ParticleStore& stones) {
 }
 
 Crack crack_of(std::uint32_t stone, double time, const std::vector<StoneLoad>& loads) {
-  const auto most = std::max_element(
-      loads.begin(), loads.end(),
-      [](const StoneLoad& a, const StoneLoad& b) { return a.crush < b.crush; });
+  const auto most =
+      std::max_element(loads.begin(), loads.end(),
+                       [](const StoneLoad& a, const StoneLoad& b) { return a.crush < b.crush; });
   return {stone, time, most->crush, most->direction, most->force};
 }
 

@@ -1,14 +1,14 @@
 // When stones break, and how soft they become.
 //
-// A stone breaks when F / R0^2 of one of its stone contacts exceeds its strength sigma_F (Hertz stress
-// depends on F / R0^2 only; Olsson, Jelagin & Partl 2019, Eq. 4 gives sigma_F). It stays one sphere. Its
-// crack runs along the load that broke it (unit vector c, force F_b). The paper leaves the remaining
-// stiffness to its reference [12], whose text we do not have; our rule is
+// A stone breaks when F / R0^2 of one of its stone contacts exceeds its strength sigma_F (Hertz
+// stress depends on F / R0^2 only; Olsson, Jelagin & Partl 2019, Eq. 4 gives sigma_F). It stays one
+// sphere. Its crack runs along the load that broke it (unit vector c, force F_b). The paper leaves
+// the remaining stiffness to its reference [12], whose text we do not have; our rule is
 //   share = residual + (1 - residual) C / (C + F_b),  C = 1/2 sum_k F_k (1 - (n_k . c)^2),
-// C being the force with which its other stone contacts clamp it across the crack. No clamping leaves
-// `residual` of the stiffness, clamping far above F_b restores it all. The share enters as compliance:
-// softness = 1 / share. It follows the rule with a lag of a few looks, so that a break is no impact.
-// Limits: fragments do not separate, and strength is not drawn again.
+// C being the force with which its other stone contacts clamp it across the crack. No clamping
+// leaves `residual` of the stiffness, clamping far above F_b restores it all. The share enters as
+// compliance: softness = 1 / share. It follows the rule with a lag of a few looks, so that a break
+// is no impact. Limits: fragments do not separate, and strength is not drawn again.
 #pragma once
 
 #include <cstdint>

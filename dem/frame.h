@@ -6,10 +6,10 @@
 namespace dem {
 
 struct Frame {
-  Vec3d origin = {0, 0, 0};                            // [m]
+  Vec3d origin = {0, 0, 0};                              // [m]
   Vec3d ex = {1, 0, 0}, ey = {0, 1, 0}, ez = {0, 0, 1};  // its axes
-  Vec3d velocity = {0, 0, 0};                          // of the origin [m/s]
-  Vec3d spin = {0, 0, 0};                              // angular velocity [rad/s]
+  Vec3d velocity = {0, 0, 0};                            // of the origin [m/s]
+  Vec3d spin = {0, 0, 0};                                // angular velocity [rad/s]
 
   // A vector given in the frame, seen from the laboratory, and back.
   template <class T>

@@ -1,5 +1,5 @@
-// Motion of the stones: leapfrog, velocities half a step behind positions, of second order also where
-// the step changes. Inertia is scaled, weight is not: a = (F + m g) / (s m).
+// Motion of the stones: leapfrog, velocities half a step behind positions, of second order also
+// where the step changes. Inertia is scaled, weight is not: a = (F + m g) / (s m).
 #pragma once
 
 #include <span>

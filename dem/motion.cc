@@ -30,7 +30,8 @@ void orient(const Ram& ram, Frame& frame, double time) {
   frame.spin = ram.spin ? axis * rate : (axis - z) * rate;
 }
 
-void advance(const Motion& motion, Frame& frame, const Vec3d& contact_force, double time, Steps steps) {
+void advance(const Motion& motion, Frame& frame, const Vec3d& contact_force, double time,
+             Steps steps) {
   const double dt = steps.now;
   if (const auto* driven = std::get_if<Driven>(&motion)) {
     frame.velocity = driven->velocity;

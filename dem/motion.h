@@ -15,8 +15,8 @@ struct Driven {
   Vec3d velocity;
 };
 
-// The root of a gyratory compactor's ram: an axial force and a precessing tilt are imposed, the axial
-// position follows from the balance of forces.
+// The root of a gyratory compactor's ram: an axial force and a precessing tilt are imposed, the
+// axial position follows from the balance of forces.
 //   tilt direction phase = 2 pi speed (time - ramp end), precession without spin unless `spin`.
 // The frame's origin stays on the mould axis (the laboratory's z axis).
 struct Ram {
@@ -35,8 +35,10 @@ struct Ram {
 
 using Motion = std::variant<Fixed, Driven, Ram>;
 
-// Moves the frame from `time` by the step [s]; contact_force: of the stones on the wall at `time` [N].
-void advance(const Motion& motion, Frame& frame, const Vec3d& contact_force, double time, Steps steps);
+// Moves the frame from `time` by the step [s]; contact_force: of the stones on the wall at `time`
+// [N].
+void advance(const Motion& motion, Frame& frame, const Vec3d& contact_force, double time,
+             Steps steps);
 
 // Orientation and spin of a ram at `time`, position untouched.
 void orient(const Ram& ram, Frame& frame, double time);

@@ -27,8 +27,8 @@ double mean_of_highest(const ParticleStore& stones, int count) {
 }
 
 PlateFace plate_face(const Wall& plate) {
-  // u_z = lift + slope_x x + slope_y y over the face; the grid is symmetric about its centre, so that
-  // the three unknowns do not mix.
+  // u_z = lift + slope_x x + slope_y y over the face; the grid is symmetric about its centre, so
+  // that the three unknowns do not mix.
   double area = 0, moment = 0, lift = 0, slope_x = 0, slope_y = 0;
   if (plate.field) {
     const SurfaceField& field = *plate.field;

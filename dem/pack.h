@@ -56,31 +56,57 @@ struct Pack {
   }
 };
 
-inline double select(bool yes, double a, double b) { return yes ? a : b; }
-inline Pack select(Mask yes, Pack a, Pack b) { return Pack(yes.bits ? a.value : b.value); }
+inline double select(bool yes, double a, double b) {
+  return yes ? a : b;
+}
+inline Pack select(Mask yes, Pack a, Pack b) {
+  return Pack(yes.bits ? a.value : b.value);
+}
 
-inline double larger(double a, double b) { return a > b ? a : b; }
-inline double smaller(double a, double b) { return a < b ? a : b; }
-inline Pack larger(Pack a, Pack b) { return select(a > b, a, b); }
-inline Pack smaller(Pack a, Pack b) { return select(a < b, a, b); }
+inline double larger(double a, double b) {
+  return a > b ? a : b;
+}
+inline double smaller(double a, double b) {
+  return a < b ? a : b;
+}
+inline Pack larger(Pack a, Pack b) {
+  return select(a > b, a, b);
+}
+inline Pack smaller(Pack a, Pack b) {
+  return select(a < b, a, b);
+}
 template <class T>
 T magnitude(T a) {
   return larger(a, -a);
 }
 
-inline bool any(bool yes) { return yes; }
+inline bool any(bool yes) {
+  return yes;
+}
 inline bool any(Mask yes) {
   long long found = 0;
   for (int k = 0; k < lanes; ++k) found |= yes.bits[k];
   return found != 0;
 }
-inline bool lane(bool yes, int) { return yes; }
-inline bool lane(Mask yes, int k) { return yes.bits[k] != 0; }
-inline double lane(double a, int) { return a; }
-inline double lane(Pack a, int k) { return a[k]; }
+inline bool lane(bool yes, int) {
+  return yes;
+}
+inline bool lane(Mask yes, int k) {
+  return yes.bits[k] != 0;
+}
+inline double lane(double a, int) {
+  return a;
+}
+inline double lane(Pack a, int k) {
+  return a[k];
+}
 
-inline void set_lane(double& a, int, double to) { a = to; }
-inline void set_lane(Pack& a, int k, double to) { a.value[k] = to; }
+inline void set_lane(double& a, int, double to) {
+  a = to;
+}
+inline void set_lane(Pack& a, int k, double to) {
+  a.value[k] = to;
+}
 
 // How many contacts a number of type T holds, and the lanes below `count` as a mask.
 template <class T>

@@ -1,7 +1,8 @@
 // The contact stage: one force per slot of the neighbour list.
 //
-// Every slot is evaluated by the same text, eight at a time (T = Pack) or one at a time (T = double, the
-// slow and obvious reference). Slots do not see each other, so threads and their number do not matter.
+// Every slot is evaluated by the same text, eight at a time (T = Pack) or one at a time (T =
+// double, the slow and obvious reference). Slots do not see each other, so threads and their number
+// do not matter.
 #pragma once
 
 #include <algorithm>
@@ -68,11 +69,17 @@ class PairContacts {
     return found;
   }
 
-  std::int64_t slots() const { return slots_; }
+  std::int64_t slots() const {
+    return slots_;
+  }
   std::int64_t touching() const;  // slots whose outer surfaces overlap
   std::int64_t held() const;      // slots whose contact would outlive a gap: bonds
-  std::int32_t first(std::int64_t slot) const { return first_[slot]; }
-  std::int32_t second(std::int64_t slot) const { return second_[slot]; }
+  std::int32_t first(std::int64_t slot) const {
+    return first_[slot];
+  }
+  std::int32_t second(std::int64_t slot) const {
+    return second_[slot];
+  }
 
  private:
   template <class T, bool check>
@@ -128,7 +135,8 @@ void PairContacts<Law>::evaluate_at(const ParticleStore& stones, double dt, std:
   contact.overlap = overlap;
   contact.outer_radius = radius_i * radius_j / (radius_i + radius_j);
   contact.stone_radius = stone_i * stone_j / (stone_i + stone_j);
-  const T mass_i = gather<T>(stones.mass.data(), i, 1), mass_j = gather<T>(stones.mass.data(), j, 1);
+  const T mass_i = gather<T>(stones.mass.data(), i, 1),
+          mass_j = gather<T>(stones.mass.data(), j, 1);
   contact.mass = T(stones.inertia_scale) * mass_i * mass_j / (mass_i + mass_j);
   contact.softness = T(1.0);
   if constexpr (Law::breaks)
@@ -140,8 +148,8 @@ void PairContacts<Law>::evaluate_at(const ParticleStore& stones, double dt, std:
   const Vec3<T> surface =
       rate - cross((radius_i - half) * spin_i + (radius_j - half) * spin_j, normal);
   contact.sliding = (surface - normal * dot(surface, normal)) * T(dt);
-  contact.turn = (cross(normal, rate) * inverse +
-                  normal * (T(0.5) * dot(spin_i + spin_j, normal))) * T(dt);
+  contact.turn =
+      (cross(normal, rate) * inverse + normal * (T(0.5) * dot(spin_i + spin_j, normal))) * T(dt);
   contact.horizon = check ? T(check_interval * dt) : T(0.0);
 
   const Response<T> response = law(contact, memory.value);
@@ -151,19 +159,21 @@ void PairContacts<Law>::evaluate_at(const ParticleStore& stones, double dt, std:
   const T zero(0.0);
   const Vec3<T> force =
       select(alive, normal * response.push + response.shear, Vec3<T>{zero, zero, zero});
-  const Vec3<T> moment =
-      select(alive, cross(response.shear, normal), Vec3<T>{zero, zero, zero});
+  const Vec3<T> moment = select(alive, cross(response.shear, normal), Vec3<T>{zero, zero, zero});
   T crush = zero;
   if constexpr (Law::breaks)
     crush = select(alive, response.stone / (contact.stone_radius * contact.stone_radius), zero);
   for (int k = 0; k < width<T>; ++k)
-    out[k] = {{lane(force.x, k), lane(force.y, k), lane(force.z, k)}, lane(half, k),
-              {lane(moment.x, k), lane(moment.y, k), lane(moment.z, k)}, lane(crush, k)};
+    out[k] = {{lane(force.x, k), lane(force.y, k), lane(force.z, k)},
+              lane(half, k),
+              {lane(moment.x, k), lane(moment.y, k), lane(moment.z, k)},
+              lane(crush, k)};
 
   if constexpr (check) {
     const T stiffest = select(
         listed, response.stiffness / (T(stones.inertia_scale) * smaller(mass_i, mass_j)), zero);
-    const T deepest = select(alive, (overlap - T(2.0 * stones.shell)) / smaller(stone_i, stone_j), zero);
+    const T deepest =
+        select(alive, (overlap - T(2.0 * stones.shell)) / smaller(stone_i, stone_j), zero);
     for (int k = 0; k < width<T>; ++k)
       extremes.merge({lane(stiffest, k), slot + k, lane(deepest, k), slot + k});
   }

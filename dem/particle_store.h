@@ -1,4 +1,5 @@
-// The stones: one contiguous array per quantity, in spatial order (see Simulation::refresh_neighbors).
+// The stones: one contiguous array per quantity, in spatial order (see
+// Simulation::refresh_neighbors).
 #pragma once
 
 #include <cstdint>
@@ -9,8 +10,8 @@
 namespace dem {
 
 struct ParticleStore {
-  double shell = 0;         // thickness of the binder shell, the same for all stones [m]
-  double inertia_scale = 1; // inertia / true inertia; weight stays true [-]
+  double shell = 0;          // thickness of the binder shell, the same for all stones [m]
+  double inertia_scale = 1;  // inertia / true inertia; weight stays true [-]
 
   // Written once, when the stones are made.
   std::vector<std::uint32_t> id;
@@ -29,7 +30,8 @@ struct ParticleStore {
 
   // Written by the fracture stage; empty when stones do not break.
   std::vector<double> softness;  // stone compliance / that of the whole stone, >= 1 [-]
-  std::vector<double> crush;     // largest F / R0^2 of its stone contacts [Pa], written by gather and walls
+  std::vector<double>
+      crush;  // largest F / R0^2 of its stone contacts [Pa], written by gather and walls
 
   std::size_t size() const { return id.size(); }
   double outer_radius(std::size_t i) const { return radius[i] + shell; }

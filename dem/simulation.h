@@ -21,9 +21,9 @@
 namespace dem {
 
 struct Settings {
-  double gravity = 9.81;         // [m/s2]
-  double safety = 0.2;           // time step / sqrt(inertia / stiffness) of the stiffest contact [-]
-  double largest_step;           // [s], used while nothing stiffer is in contact
+  double gravity = 9.81;  // [m/s2]
+  double safety = 0.2;    // time step / sqrt(inertia / stiffness) of the stiffest contact [-]
+  double largest_step;    // [s], used while nothing stiffer is in contact
   double largest_overlap = 0.5;  // of stones, / radius of the smaller: beyond it the run stops [-]
   double skin;                   // search range beyond contact [m]
   FractureRule fracture;
@@ -33,7 +33,9 @@ template <ContactLaw Law>
 class Simulation {
  public:
   Simulation(ParticleStore stones, const Law& pair_law, Settings settings)
-      : settings_(settings), stones_(std::move(stones)), clock_(settings.safety, settings.largest_step) {
+      : settings_(settings),
+        stones_(std::move(stones)),
+        clock_(settings.safety, settings.largest_step) {
     pairs_.law = pair_law;
   }
 
@@ -52,8 +54,8 @@ class Simulation {
   void set_laws(const Law& pair_law, const std::vector<Law>& wall_laws);
   void set_drag(double rate) { drag_ = rate; }  // [1/s], see advance_stones
 
-  double time() const { return time_; }                // [s]
-  double time_step() const { return clock_.step(); }   // [s]
+  double time() const { return time_; }               // [s]
+  double time_step() const { return clock_.step(); }  // [s]
   std::int64_t steps() const { return steps_; }
   std::int64_t rebuilds() const { return rebuilds_; }
   std::string limiting_contact() const { return limiting_; }
@@ -154,7 +156,8 @@ void Simulation<Law>::refresh_neighbors() {
     order = spatial_order(stones_.position, 4 * (mean + stones_.shell));
     reorder(stones_, order);
   }
-  for (std::size_t k = 0; k < place.size(); ++k) place[order.empty() ? k : order[k]] = static_cast<std::int32_t>(k);
+  for (std::size_t k = 0; k < place.size(); ++k)
+    place[order.empty() ? k : order[k]] = static_cast<std::int32_t>(k);
 
   std::vector<double> radius(stones_.size());
   for (std::size_t k = 0; k < radius.size(); ++k) radius[k] = stones_.outer_radius(k);
@@ -198,13 +201,14 @@ void Simulation<Law>::inspect(const Extremes& pair, const std::vector<Extremes>&
     limiting = "stones " + std::to_string(stone_of(pairs_.first(pair.rate_slot))) + " and " +
                std::to_string(stone_of(pairs_.second(pair.rate_slot)));
   if (pair.overlap > settings_.largest_overlap)
-    throw NumericalTrouble("stone overlap / radius", stone_of(pairs_.first(pair.overlap_slot)), time_,
-                           pair.overlap);
+    throw NumericalTrouble("stone overlap / radius", stone_of(pairs_.first(pair.overlap_slot)),
+                           time_, pair.overlap);
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     const auto& at = at_walls[w];
     if (at.overlap_slot >= 0 && at.overlap > settings_.largest_overlap)
       throw NumericalTrouble("stone overlap with wall " + walls_[w].name + " / radius",
-                             stone_of(wall_contacts_[w].stones[at.overlap_slot]), time_, at.overlap);
+                             stone_of(wall_contacts_[w].stones[at.overlap_slot]), time_,
+                             at.overlap);
     if (at.rate <= rate) continue;
     rate = at.rate;
     limiting = "stone " + std::to_string(stone_of(wall_contacts_[w].stones[at.rate_slot])) +
@@ -237,11 +241,12 @@ template <ContactLaw Law>
 void Simulation<Law>::soften_stones() {
   if (cracks_.empty()) return;
   std::vector<std::int32_t> place(stones_.size());
-  for (std::size_t k = 0; k < place.size(); ++k) place[stones_.id[k]] = static_cast<std::int32_t>(k);
+  for (std::size_t k = 0; k < place.size(); ++k)
+    place[stones_.id[k]] = static_cast<std::int32_t>(k);
   for (Crack& crack : cracks_) {
     const std::int32_t k = place[crack.stone];
-    const Vec3d turned = crack.direction + cross(stones_.spin[k], crack.direction) *
-                                               (check_interval * clock_.step());
+    const Vec3d turned = crack.direction +
+                         cross(stones_.spin[k], crack.direction) * (check_interval * clock_.step());
     crack.direction = turned * (1 / norm(turned));
     const double share = 1 / stones_.softness[k];
     const double target = stiffness_share(settings_.fracture, crack, loads_on(k));
@@ -257,7 +262,8 @@ std::vector<StoneLoad> Simulation<Law>::loads_on(std::size_t place) const {
     if (crush <= 0) return;
     const auto i = pairs_.first(s), j = pairs_.second(s);
     const Vec3d apart = stones_.position[i] - stones_.position[j];
-    const double radius = stones_.radius[i] * stones_.radius[j] / (stones_.radius[i] + stones_.radius[j]);
+    const double radius =
+        stones_.radius[i] * stones_.radius[j] / (stones_.radius[i] + stones_.radius[j]);
     loads.push_back({apart * (1 / norm(apart)), crush * radius * radius, crush});
   };
   for (auto s = list_.row_start[place]; s < list_.row_start[place + 1]; ++s) add_pair(s);

@@ -19,9 +19,9 @@ struct alignas(64) SlotForce {
 
 // The extreme contacts of one list, found while their forces are evaluated.
 struct Extremes {
-  double rate = 0;             // largest stiffness / inertia of the lighter body [1/s2]
+  double rate = 0;  // largest stiffness / inertia of the lighter body [1/s2]
   std::int64_t rate_slot = -1;
-  double overlap = 0;          // largest stone overlap / radius of the smaller stone [-]
+  double overlap = 0;  // largest stone overlap / radius of the smaller stone [-]
   std::int64_t overlap_slot = -1;
 
   // Keeps the larger; the lower slot where equal, so that the order of asking does not matter.

@@ -57,7 +57,8 @@ SurfaceField::SurfaceField(const CylinderGrid& grid)
   for (int row = 0; row <= rings_; ++row)
     for (int sector = 0; sector < sectors_; ++sector) {
       const double angle = two_pi * sector / sectors_;
-      node.push_back({radius_ * std::cos(angle), radius_ * std::sin(angle), height_ * row / rings_});
+      node.push_back(
+          {radius_ * std::cos(angle), radius_ * std::sin(angle), height_ * row / rings_});
       area.push_back(row == 0 || row == rings_ ? cell / 2 : cell);
     }
   start();
@@ -80,16 +81,19 @@ Stencil SurfaceField::stencil(const Vec3d& point) const {
     return {{below + s0, below + s1, above + s0, above + s1},
             {(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v}};
   }
-  // In the oblique axes of the sector, point = p e0 + q e1 with p, q in rings: p + q is the polygon.
+  // In the oblique axes of the sector, point = p e0 + q e1 with p, q in rings: p + q is the
+  // polygon.
   const Vec3d& e0 = node[1 + s0];
   const Vec3d& e1 = node[1 + s1];
   const double determinant = e0.x * e1.y - e0.y * e1.x;
   const double p = (point.x * e1.y - point.y * e1.x) / determinant;
   const double q = (e0.x * point.y - e0.y * point.x) / determinant;
-  const int ring = std::clamp(static_cast<int>(p + q), 0, rings_ - 1);  // between polygons ring, ring+1
+  const int ring =
+      std::clamp(static_cast<int>(p + q), 0, rings_ - 1);  // between polygons ring, ring+1
   const auto at = [this](int k, int s) { return k == 0 ? 0 : 1 + (k - 1) * sectors_ + s; };
   if (ring == 0) return {{0, at(1, s0), at(1, s1), 0}, {1 - p - q, p, q, 0}};
-  // Corners (ring, 0), (ring+1, 0), (0, ring+1), (0, ring) in (p, q); split along (ring, 0)-(0, ring+1).
+  // Corners (ring, 0), (ring+1, 0), (0, ring+1), (0, ring) in (p, q); split along (ring, 0)-(0,
+  // ring+1).
   const double k = ring;
   const double w_far = (p + q * k / (k + 1) - k);  // 0 on the diagonal, 1 at (ring+1, 0)
   if (w_far >= 0) {

@@ -1,7 +1,7 @@
 // The letterbox between stones and an elastic wall: a coarse grid on the wall's face, in its frame.
-// Whoever bends the wall writes how its nodes move, the wall contacts write the impulse they receive,
-// both through the same stencil weights: displacements are interpolated consistently, forces spread
-// conservatively, each the transpose of the other.
+// Whoever bends the wall writes how its nodes move, the wall contacts write the impulse they
+// receive, both through the same stencil weights: displacements are interpolated consistently,
+// forces spread conservatively, each the transpose of the other.
 #pragma once
 
 #include <array>
@@ -17,15 +17,15 @@ struct Stencil {
   std::array<double, 4> weight;
 };
 
-// A disc z = 0 in triangles between homothetic polygons: linear functions are reproduced exactly, so
-// that force and moment pass without loss.
+// A disc z = 0 in triangles between homothetic polygons: linear functions are reproduced exactly,
+// so that force and moment pass without loss.
 struct DiscGrid {
   double radius;  // [m]
   int rings, sectors;
 };
 
-// The inside of a cylinder 0 <= z <= height, bilinear in angle and z: force passes without loss, the
-// nodal moment differs by at most force x radius (1 - cos(pi / sectors)).
+// The inside of a cylinder 0 <= z <= height, bilinear in angle and z: force passes without loss,
+// the nodal moment differs by at most force x radius (1 - cos(pi / sectors)).
 struct CylinderGrid {
   double radius, height;  // [m]
   int rows, sectors;      // cells along z and around

@@ -1,5 +1,5 @@
-// The analytic surfaces that walls are made of, each in its own frame (see frame.h): the distance of a
-// point from the surface and the unit normal from the surface towards the point.
+// The analytic surfaces that walls are made of, each in its own frame (see frame.h): the distance
+// of a point from the surface and the unit normal from the surface towards the point.
 #pragma once
 
 #include <variant>
@@ -37,7 +37,8 @@ struct CylinderInside {
   double extent() const { return radius; }
 };
 
-// A round plate: its face is the disc z = 0, stones lie at z < 0; beyond the rim the rim circle counts.
+// A round plate: its face is the disc z = 0, stones lie at z < 0; beyond the rim the rim circle
+// counts.
 struct Disc {
   double radius;  // [m]
 

@@ -29,7 +29,8 @@ class WallContacts {
   template <class T = Pack>
   Extremes evaluate(ParticleStore& particles, Wall& wall, double dt, bool check);
 
-  // Appends the stone contact force on the stone at `place`, if there is one (laws that break only).
+  // Appends the stone contact force on the stone at `place`, if there is one (laws that break
+  // only).
   void add_load(const ParticleStore& particles, std::size_t place,
                 std::vector<StoneLoad>& loads) const;
 
@@ -46,7 +47,8 @@ class WallContacts {
   template <class T>
   void evaluate_at(ParticleStore& particles, const Wall& wall, double dt, bool check,
                    std::int64_t slot, Extremes& extremes);
-  // Velocity of the bent face [m/s] and its displacement along the normal [m] below the points `foot`.
+  // Velocity of the bent face [m/s] and its displacement along the normal [m] below the points
+  // `foot`.
   template <class T>
   Vec3<T> bend(const Wall& wall, const Vec3<T>& foot, const Vec3<T>& normal, Touch* touch,
                T& nearer) const;
@@ -66,8 +68,8 @@ void WallContacts<Law>::find(const ParticleStore& particles, const Wall& wall, d
   std::vector<std::int32_t> previous;
   for (std::size_t k = 0; k < count; ++k) {
     const Vec3d local = wall.frame.to_frame(particles.position[k] - wall.frame.origin);
-    const double distance =
-        std::visit([&](const auto& surface) { return surface.nearest(local).distance; }, wall.surface);
+    const double distance = std::visit(
+        [&](const auto& surface) { return surface.nearest(local).distance; }, wall.surface);
     const std::int32_t before = old_slot[old_index.empty() ? k : old_index[k]];
     const bool near = distance < particles.outer_radius(k) + skin;
     if (!near && (before < 0 || !history.holds(before))) continue;
@@ -141,13 +143,12 @@ void WallContacts<Law>::evaluate_at(ParticleStore& particles, const Wall& wall, 
   const T overlap = radius - distance;
 
   MemoryOf<Law, T> memory(history, slot);
-  const auto alive = lanes_below<T>(slots_ - slot) &
-                     ((overlap > T(0.0)) | Law::template holds<T>(memory.value));
+  const auto alive =
+      lanes_below<T>(slots_ - slot) & ((overlap > T(0.0)) | Law::template holds<T>(memory.value));
   const T arm = radius - T(0.5) * overlap;
   const Vec3<T> point = position - normal * arm;
   const Vec3<T> spin = gather<T>(particles.spin, i);
-  const Vec3<T> rate =
-      gather<T>(particles.velocity, i) - wall.frame.velocity_at(point) - bending;
+  const Vec3<T> rate = gather<T>(particles.velocity, i) - wall.frame.velocity_at(point) - bending;
 
   Contact<T> contact;
   contact.overlap = overlap;
@@ -179,8 +180,10 @@ void WallContacts<Law>::evaluate_at(ParticleStore& particles, const Wall& wall, 
       at.push = 0;
       continue;
     }
-    at.action = {{lane(force.x, k), lane(force.y, k), lane(force.z, k)}, 0.5 * lane(overlap, k),
-                 {lane(moment.x, k), lane(moment.y, k), lane(moment.z, k)}, 0};
+    at.action = {{lane(force.x, k), lane(force.y, k), lane(force.z, k)},
+                 0.5 * lane(overlap, k),
+                 {lane(moment.x, k), lane(moment.y, k), lane(moment.z, k)},
+                 0};
     at.point = {lane(point.x, k), lane(point.y, k), lane(point.z, k)};
     at.push = lane(response.push, k);
     const std::int32_t to = i[k];
@@ -207,7 +210,8 @@ void WallContacts<Law>::add_load(const ParticleStore& particles, std::size_t pla
   if (touch.action.crush <= 0) return;
   const Vec3d arm = particles.position[place] - touch.point;
   const double radius = particles.radius[place];
-  loads.push_back({arm * (1 / norm(arm)), touch.action.crush * radius * radius, touch.action.crush});
+  loads.push_back(
+      {arm * (1 / norm(arm)), touch.action.crush * radius * radius, touch.action.crush});
 }
 
 template <ContactLaw Law>

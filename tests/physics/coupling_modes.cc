@@ -49,7 +49,7 @@ TEST(coupled_head, answers_a_lasting_force_as_the_full_body_does) {
 
 // Angle loss under a known moment without mix, as simulated-loading devices measure it: the coupled
 // run's tilt is that of the full body to the modes' 1e-3, and lies in the range of measured
-// machines, 0.5e-4 to 5e-4 degrees per N m (FHWA; bracket of the internal-angle checks).
+// machines, 0.5e-4 to 5e-4 degrees per N m (a range from memory, not looked up).
 TEST(coupled_head, loses_angle_under_a_known_moment) {
   const fem::ElasticBody body(head, {});
   dem::Wall wall = bench::plate();

@@ -20,7 +20,8 @@ Dry law() {
   return {{1 / (2 * dem::normal_compliance(soft))}, 1 / (2 * dem::shear_compliance(soft)), 0.5};
 }
 
-// Stones of radius 0.4 to 3.2 mm (1:8) that fall, a floor, two sides, and a block that is driven down.
+// Stones of radius 0.4 to 3.2 mm (1:8) that fall, a floor, two sides, and a block that is driven
+// down.
 dem::Simulation<Dry> falling_stones() {
   std::vector<double> radius;
   for (std::uint32_t k = 0; k < 150; ++k)
@@ -40,7 +41,8 @@ dem::Simulation<Dry> falling_stones() {
   };
   dem::Frame at;
   add(dem::Plane{}, at, dem::Fixed{});
-  add(dem::CylinderInside{0.5 * length * 1.5}, {.origin = {length / 2, width / 2, 0}}, dem::Fixed{});
+  add(dem::CylinderInside{0.5 * length * 1.5}, {.origin = {length / 2, width / 2, 0}},
+      dem::Fixed{});
   at.origin = {0, width / 2, gas.height + 0.018};
   add(dem::Block{{length / 2, width / 2, 0.018}}, at, dem::Driven{{0, 0, -0.3}});
   return bed;
@@ -97,7 +99,8 @@ TEST(moving_walls, a_resting_stone_presses_on_the_floor_with_its_weight) {
   // Equilibrium: force on the wall is (0, 0, -m g), push is +m g; 1 % for what still bounces.
   const dem::Material soft = {1e7, 0.2};
   const apps::DampedDry damped = {{1 / (2 * dem::normal_compliance(soft)), dem::damping_ratio(0.1)},
-                                  1 / (2 * dem::shear_compliance(soft)), 0.5};
+                                  1 / (2 * dem::shear_compliance(soft)),
+                                  0.5};
   dem::Settings settings;
   settings.largest_step = 1e-6;
   settings.skin = 0.1e-3;

@@ -1,0 +1,124 @@
+// The steps of dem_speed with a clock between their stages, which dem::Simulation has not.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "dem/simulation.h"
+
+namespace apps {
+
+inline constexpr double bed_gravity = 196.2;   // 20 g [m/s2]
+inline constexpr double bed_time_step = 1e-6;  // [s]
+
+template <class Law>
+struct Bed {
+  dem::ParticleStore stones;
+  std::vector<dem::Wall> walls;
+  Law pair_law, wall_law;
+};
+
+inline double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// The stages of a step, called one by one with their times added up.
+template <class Law>
+class Stages {
+ public:
+  enum Stage { motion, lists, pairs, gather, wall_contacts, fracture, stage_count };
+  static constexpr std::array<const char*, stage_count> names = {
+      "motion", "lists", "pair contacts", "gather", "wall contacts", "fracture"};
+
+  Stages(Bed<Law> bed, double skin) : bed_(std::move(bed)), skin_(skin) {
+    bed_.pair_law.set_time_step(bed_time_step);
+    bed_.wall_law.set_time_step(bed_time_step);
+    pairs_.law = bed_.pair_law;
+    at_walls_.resize(bed_.walls.size());
+    for (auto& contacts : at_walls_) contacts.law = bed_.wall_law;
+    constexpr double cell = 4e-3;  // near the diameter of a stone [m]
+    dem::reorder(bed_.stones, dem::spatial_order(bed_.stones.position, cell));
+    make_lists();
+  }
+
+  void step() {
+    const bool check = ++steps_ % dem::check_interval == 0;
+    dem::Travel travel;
+    timed(motion, [&] {
+      travel = dem::advance_stones(bed_.stones, {bed_time_step, bed_time_step}, 0, reference_);
+    });
+    if (2 * travel.farthest > skin_) timed(lists, [&] { make_lists(); });
+    timed(pairs, [&] { pairs_.evaluate(bed_.stones, bed_time_step, check); });
+    timed(gather, [&] { dem::gather_forces(bed_.stones, list_, pairs_.forces, bed_gravity); });
+    timed(wall_contacts, [&] {
+      for (std::size_t w = 0; w < bed_.walls.size(); ++w)
+        at_walls_[w].evaluate(bed_.stones, bed_.walls[w], bed_time_step, check);
+    });
+    if constexpr (Law::breaks)
+      timed(fracture, [&] { cracked_ += !overloaded(bed_.stones).empty(); });
+  }
+
+  void forget_times() { spent_.fill(0); }
+
+  // Of the time spent [-].
+  nlohmann::ordered_json shares() const {
+    double all = 0;
+    for (double spent : spent_) all += spent;
+    nlohmann::ordered_json shares;
+    for (int k = 0; k < stage_count; ++k) shares[names[k]] = spent_[k] / all;
+    return shares;
+  }
+
+  // Of a slot, in all arrays that hold one entry a slot [B].
+  double bytes_per_slot() const {
+    const double lists = list_.first.size() * 4.0 * sizeof(std::uint32_t);  // and reverse, previous
+    const double taken = pairs_.slots() * 2.0 * sizeof(std::int32_t);
+    return (lists + taken + pairs_.history.raw().size_bytes() +
+            pairs_.forces.size() * sizeof(dem::SlotForce)) /
+           static_cast<double>(pairs_.slots());
+  }
+
+  // Of a stone, everything included [B].
+  double bytes_per_stone() const {
+    const dem::ParticleStore& stones = bed_.stones;
+    const double numbers = stones.radius.size() + stones.mass.size() + stones.strength.size() +
+                           stones.softness.size() + stones.crush.size();
+    const double vectors = 6.0 * stones.size();  // five of the store, and the reference
+    const double rows = 3.0 * stones.size() * sizeof(std::uint32_t);  // id and two row starts
+    return (numbers * sizeof(double) + vectors * sizeof(dem::Vec3d) + rows +
+            bytes_per_slot() * static_cast<double>(pairs_.slots())) /
+           static_cast<double>(stones.size());
+  }
+
+ private:
+  template <class Work>
+  void timed(Stage stage, Work work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    spent_[stage] += seconds_since(start);
+  }
+
+  void make_lists() {
+    const dem::ParticleStore& stones = bed_.stones;
+    std::vector<double> radius(stones.size());
+    for (std::size_t k = 0; k < radius.size(); ++k) radius[k] = stones.outer_radius(k);
+    list_.build({stones.position, radius, stones.id}, skin_);
+    pairs_.take(list_);
+    for (std::size_t w = 0; w < bed_.walls.size(); ++w)
+      at_walls_[w].find(stones, bed_.walls[w], skin_, {});
+    reference_ = stones.position;
+  }
+
+  Bed<Law> bed_;
+  double skin_;
+  dem::NeighborList list_;
+  dem::PairContacts<Law> pairs_;
+  std::vector<dem::WallContacts<Law>> at_walls_;
+  std::vector<dem::Vec3d> reference_;
+  std::array<double, stage_count> spent_ = {};  // [s]
+  std::int64_t steps_ = 0, cracked_ = 0;
+};
+
+}  // namespace apps
