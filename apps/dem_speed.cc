@@ -5,7 +5,6 @@
 #include <omp.h>
 
 #include <CLI/CLI.hpp>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <ctime>
@@ -16,6 +15,7 @@
 
 #include "apps/bed_file.h"
 #include "apps/laws.h"
+#include "apps/timed_stages.h"
 #include "dem/strength.h"
 
 namespace {
@@ -71,16 +71,10 @@ Material material_of(const std::string& law, const apps::BedFile& bed) {
 }
 
 template <class Law>
-struct Bed {
-  dem::ParticleStore stones;
-  std::vector<dem::Wall> walls;
-  Law pair_law, wall_law;
-};
-
-template <class Law>
-Bed<Law> bed_of(const apps::BedFile& file, const Material& material, const apps::LawBook& book) {
+apps::Bed<Law> bed_of(const apps::BedFile& file, const Material& material,
+                      const apps::LawBook& book) {
   const apps::StonesScene& scene = material.stones;
-  Bed<Law> bed;
+  apps::Bed<Law> bed;
   bed.stones =
       dem::make_stones(file.position, material.mix.radius, scene.density, material.mix.shell, 1);
   if (scene.fracture) dem::make_breakable(bed.stones, material.mix.strength);
@@ -94,106 +88,6 @@ Bed<Law> bed_of(const apps::BedFile& file, const Material& material, const apps:
   return bed;
 }
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-// The stages of a step, called one by one with a clock between them, which dem::Simulation has not.
-template <class Law>
-class Stages {
- public:
-  enum Stage { motion, lists, pairs, gather, wall_contacts, fracture, stage_count };
-  static constexpr std::array<const char*, stage_count> names = {
-      "motion", "lists", "pair contacts", "gather", "wall contacts", "fracture"};
-
-  Stages(Bed<Law> bed, double skin) : bed_(std::move(bed)), skin_(skin) {
-    bed_.pair_law.set_time_step(time_step);
-    bed_.wall_law.set_time_step(time_step);
-    pairs_.law = bed_.pair_law;
-    at_walls_.resize(bed_.walls.size());
-    for (auto& contacts : at_walls_) contacts.law = bed_.wall_law;
-    dem::reorder(bed_.stones, dem::spatial_order(bed_.stones.position, 8 * shell));
-    make_lists();
-  }
-
-  void step() {
-    const bool check = ++steps_ % dem::check_interval == 0;
-    dem::Travel travel;
-    timed(motion, [&] {
-      travel = dem::advance_stones(bed_.stones, {time_step, time_step}, 0, reference_);
-    });
-    if (2 * travel.farthest > skin_) timed(lists, [&] { make_lists(); });
-    timed(pairs, [&] { pairs_.evaluate(bed_.stones, time_step, check); });
-    timed(gather, [&] { dem::gather_forces(bed_.stones, list_, pairs_.forces, gravity); });
-    timed(wall_contacts, [&] {
-      for (std::size_t w = 0; w < bed_.walls.size(); ++w)
-        at_walls_[w].evaluate(bed_.stones, bed_.walls[w], time_step, check);
-    });
-    if constexpr (Law::breaks)
-      timed(fracture, [&] { cracked_ += !overloaded(bed_.stones).empty(); });
-  }
-
-  void forget_times() { spent_.fill(0); }
-
-  // Of the time spent [-].
-  nlohmann::ordered_json shares() const {
-    double all = 0;
-    for (double spent : spent_) all += spent;
-    nlohmann::ordered_json shares;
-    for (int k = 0; k < stage_count; ++k) shares[names[k]] = spent_[k] / all;
-    return shares;
-  }
-
-  // Of a slot, in all arrays that hold one entry a slot [B].
-  double bytes_per_slot() const {
-    const double lists = list_.first.size() * 4.0 * sizeof(std::uint32_t);  // and reverse, previous
-    const double taken = pairs_.slots() * 2.0 * sizeof(std::int32_t);
-    return (lists + taken + pairs_.history.raw().size_bytes() +
-            pairs_.forces.size() * sizeof(dem::SlotForce)) /
-           static_cast<double>(pairs_.slots());
-  }
-
-  // Of a stone, everything included [B].
-  double bytes_per_stone() const {
-    const dem::ParticleStore& stones = bed_.stones;
-    const double numbers = stones.radius.size() + stones.mass.size() + stones.strength.size() +
-                           stones.softness.size() + stones.crush.size();
-    const double vectors = 6.0 * stones.size();  // five of the store, and the reference
-    const double rows = 3.0 * stones.size() * sizeof(std::uint32_t);  // id and two row starts
-    return (numbers * sizeof(double) + vectors * sizeof(dem::Vec3d) + rows +
-            bytes_per_slot() * static_cast<double>(pairs_.slots())) /
-           static_cast<double>(stones.size());
-  }
-
- private:
-  template <class Work>
-  void timed(Stage stage, Work work) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    spent_[stage] += seconds_since(start);
-  }
-
-  void make_lists() {
-    const dem::ParticleStore& stones = bed_.stones;
-    std::vector<double> radius(stones.size());
-    for (std::size_t k = 0; k < radius.size(); ++k) radius[k] = stones.outer_radius(k);
-    list_.build({stones.position, radius, stones.id}, skin_);
-    pairs_.take(list_);
-    for (std::size_t w = 0; w < bed_.walls.size(); ++w)
-      at_walls_[w].find(stones, bed_.walls[w], skin_, {});
-    reference_ = stones.position;
-  }
-
-  Bed<Law> bed_;
-  double skin_;
-  dem::NeighborList list_;
-  dem::PairContacts<Law> pairs_;
-  std::vector<dem::WallContacts<Law>> at_walls_;
-  std::vector<dem::Vec3d> reference_;
-  std::array<double, stage_count> spent_ = {};  // [s]
-  std::int64_t steps_ = 0, cracked_ = 0;
-};
-
 // Stones that touch a wall of the cylinder, once for each wall.
 std::int64_t touching_walls(const dem::ParticleStore& stones, double cylinder_radius) {
   std::int64_t count = 0;
@@ -206,10 +100,10 @@ std::int64_t touching_walls(const dem::ParticleStore& stones, double cylinder_ra
 }
 
 template <class Law>
-nlohmann::ordered_json time_steps(const Bed<Law>& bed, const Options& options) {
+nlohmann::ordered_json time_steps(const apps::Bed<Law>& bed, const Options& options) {
   dem::Settings settings;
-  settings.gravity = gravity;
-  settings.largest_step = time_step;
+  settings.gravity = apps::bed_gravity;
+  settings.largest_step = apps::bed_time_step;
   settings.largest_overlap = largest_overlap;
   settings.skin = options.skin;
   dem::Simulation<Law> simulation(bed.stones, bed.pair_law, settings);
@@ -219,11 +113,11 @@ nlohmann::ordered_json time_steps(const Bed<Law>& bed, const Options& options) {
   const auto start = std::chrono::steady_clock::now();
   const std::clock_t cpu_start = std::clock();
   for (int k = 0; k < options.steps; ++k) simulation.step();
-  const double per_step = seconds_since(start) / options.steps;
+  const double per_step = apps::seconds_since(start) / options.steps;
   const double cpu = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
 
   // A part of the run is enough for shares.
-  Stages<Law> stages(bed, options.skin);
+  apps::Stages<Law> stages(bed, options.skin);
   for (int k = 0; k < options.warmup / 4; ++k) stages.step();
   stages.forget_times();
   for (int k = 0; k < std::max(options.steps / 4, 1); ++k) stages.step();

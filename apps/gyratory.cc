@@ -32,7 +32,8 @@ void compact(const apps::Options& options) {
     recorder.write("/mould/diameter", std::array{2 * machine.mould_radius}, "m");
     recorder.write("/stones/radius", mix.radius, "m");
     apps::Progress compaction(std::cout, isatty(STDOUT_FILENO), options.quiet);
-    run.compact(recorder, options.out, compaction);
+    apps::GyratoryPictures pictures(options.out);
+    run.compact(recorder, pictures, compaction);
     apps::write_summary(options.out + "/summary.json", run.findings(apps::wall_clock() - began));
   });
 }

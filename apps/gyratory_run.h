@@ -8,11 +8,11 @@
 #include <optional>
 
 #include "apps/bed.h"
+#include "apps/gyratory_pictures.h"
 #include "apps/machine.h"
 #include "apps/progress.h"
 #include "apps/recorder.h"
 #include "apps/steel.h"
-#include "apps/stone_picture.h"
 #include "apps/summary.h"
 
 namespace apps {
@@ -25,7 +25,7 @@ class GyratoryRun {
 
   void fill(Progress& progress);
   void close();
-  void compact(Recorder& recorder, const std::string& folder, Progress& progress);
+  void compact(Recorder& recorder, GyratoryPictures& pictures, Progress& progress);
   std::vector<Finding> findings(double wall_seconds) const;
 
   static std::vector<Column> columns();
@@ -46,7 +46,7 @@ class GyratoryRun {
   void step();
   std::vector<double> row();
   void record(Recorder& recorder);
-  void draw(const std::string& folder);
+  void draw(GyratoryPictures& pictures);
 
   const GyratoryScene& scene_;
   const Mix& mix_;
@@ -62,8 +62,6 @@ class GyratoryRun {
   std::vector<std::vector<double>> ramp_rows_;  // held until air_voids_decrease has its reference
   std::vector<std::vector<double>> rows_;       // of the last two gyrations, for the findings
   std::optional<double> voids_at_start_;        // when the gyrations begin [-]
-  int pictures_ = 0;
-  std::optional<Series> stone_series_, head_series_, mould_series_;
 };
 
 template <class Law>
@@ -239,7 +237,7 @@ void GyratoryRun<Law>::record(Recorder& recorder) {
 }
 
 template <class Law>
-void GyratoryRun<Law>::compact(Recorder& recorder, const std::string& folder, Progress& progress) {
+void GyratoryRun<Law>::compact(Recorder& recorder, GyratoryPictures& pictures, Progress& progress) {
   const double length = scene_.gyration.ramp + scene_.gyration.count / scene_.gyration.speed;
   const double end = closed_at_ + length;
   double next_row = closed_at_ + scene_.output.history_interval;
@@ -252,7 +250,7 @@ void GyratoryRun<Law>::compact(Recorder& recorder, const std::string& folder, Pr
     next_row += scene_.output.history_interval;
     record(recorder);
     if (scene_.output.picture_interval > 0 && bed_.time() >= next_picture) {
-      draw(folder);
+      draw(pictures);
       next_picture += scene_.output.picture_interval;
     }
     if (wall_clock() > next_flush) {
@@ -269,38 +267,15 @@ void GyratoryRun<Law>::compact(Recorder& recorder, const std::string& folder, Pr
                     bed_.time() - closed_at_, std::max(0.0, gyration()), 1e3 * height,
                     1e2 * air_voids(height), rate));
   }
-  draw(folder);
+  draw(pictures);
   recorder.flush();
   progress.finish();
 }
 
 template <class Law>
-void GyratoryRun<Law>::draw(const std::string& folder) {
-  const double time = bed_.time() - closed_at_;
-  const auto add = [&](std::optional<Series>& series, const std::string& name,
-                       const std::string& ending, const auto& write) {
-    if (!series) series.emplace(folder + "/" + name + ".pvd");
-    const std::string file = fmt::format("{}_{:04d}.{}", name, pictures_, ending);
-    write(folder + "/" + file);
-    series->add(time, file);
-  };
-  add(stone_series_, "stones", "vtp",
-      [&](const std::string& path) { draw_stones(path, bed_.stones(), bed_.coordination()); });
-  const dem::Wall& plate = bed_.walls()[head];
-  add(head_series_, "head", elastic_head_ ? "vtu" : "vtp", [&](const std::string& path) {
-    const dem::Vec3d &o = plate.frame.origin, &n = plate.frame.ez;
-    if (elastic_head_)
-      elastic_head_->draw(path, plate.frame);
-    else
-      write_polygons(path, disc({o.x, o.y, o.z}, {n.x, n.y, n.z}, machine_.plate_radius, 64), {});
-  });
-  add(mould_series_, "mould", elastic_mould_ ? "vtu" : "vtp", [&](const std::string& path) {
-    if (elastic_mould_)
-      elastic_mould_->draw(path, bed_.walls()[mould].frame);
-    else
-      write_polygons(path, tube(machine_.mould_radius, 0, plate.frame.origin.z, 64), {});
-  });
-  ++pictures_;
+void GyratoryRun<Law>::draw(GyratoryPictures& pictures) {
+  pictures.draw(bed_.time() - closed_at_, bed_.stones(), bed_.coordination(),
+                {bed_.walls()[head], elastic_head_}, {bed_.walls()[mould], elastic_mould_});
 }
 
 template <class Law>

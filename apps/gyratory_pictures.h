@@ -1,0 +1,33 @@
+// The ParaView series of a gyratory run: stones, head and mould, each rigid or bent.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/pictures.h"
+#include "apps/steel.h"
+#include "dem/particle_store.h"
+
+namespace apps {
+
+// A wall and the steel behind it, if that is elastic.
+struct MachinePart {
+  const dem::Wall& wall;
+  const std::optional<SteelPart>& steel;
+};
+
+class GyratoryPictures {
+ public:
+  explicit GyratoryPictures(const std::string& folder);
+
+  // Adds the pictures of a time [s]; coordination as in draw_stones.
+  void draw(double time, const dem::ParticleStore& stones, const std::vector<int>& coordination,
+            const MachinePart& head, const MachinePart& mould);
+
+ private:
+  std::string folder_;
+  int drawn_ = 0;
+  Series stones_, head_, mould_;
+};
+
+}  // namespace apps
