@@ -39,7 +39,7 @@ ElasticWall::ElasticWall(fem::ReducedBody body, const dem::Wall& wall,
 void ElasticWall::exchange(dem::Wall& wall, double dt) {
   dem::SurfaceField& field = *wall.field;
   const auto nodes = static_cast<Eigen::Index>(field.size());
-  // A copy, because Eigen's sums depend on where in memory a vector begins.
+  // Copies here and below, because Eigen's sums depend on where in memory a vector begins.
   Eigen::Map<Eigen::VectorXd> letters(&field.impulse.front().x, 3 * nodes);
   const Eigen::VectorXd impulse = letters;
   letters.setZero();
@@ -48,13 +48,14 @@ void ElasticWall::exchange(dem::Wall& wall, double dt) {
   swing(impulse, dt);
   if (++waited_ >= settings_.interval) {
     relax();
-    const Eigen::Map<const Eigen::VectorXd> displacement(&field.displacement.front().x, 3 * nodes);
+    const Eigen::VectorXd displacement =
+        Eigen::Map<const Eigen::VectorXd>(&field.displacement.front().x, 3 * nodes);
     const Eigen::VectorXd swung = swinging_ * velocity_(oscillators_) * dt;  // still to be moved
     static_velocity_ = (body_.shape * amplitude_ - displacement - swung) / (waited_ * dt);
     waited_ = 0;
   }
-  Eigen::Map<Eigen::VectorXd> velocity(&field.velocity.front().x, 3 * nodes);
-  velocity = static_velocity_ + swinging_ * velocity_(oscillators_);
+  const Eigen::VectorXd velocity = static_velocity_ + swinging_ * velocity_(oscillators_);
+  Eigen::Map<Eigen::VectorXd>(&field.velocity.front().x, 3 * nodes) = velocity;
   field.fastest = std::sqrt(Eigen::Map<const Eigen::Matrix3Xd>(velocity.data(), 3, nodes)
                                 .colwise()
                                 .squaredNorm()
