@@ -103,6 +103,16 @@ LoadedFace::LoadedFace(const FaceTable& table)
   mass_.setFromTriplets(triplets.begin(), triplets.end());
 }
 
+// The shape functions sum to one. mass_.sum() would do, but it depends in its last bits on where in
+// memory the entries begin.
+double LoadedFace::area() const {
+  double area = 0;
+  for (Index column = 0; column < mass_.outerSize(); ++column)
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(mass_, column); entry; ++entry)
+      area += entry.value();
+  return area;
+}
+
 Eigen::Matrix3Xd LoadedFace::load(
     const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& traction) const {
   Eigen::Matrix3Xd force = Eigen::Matrix3Xd::Zero(3, nodes_.size());
