@@ -8,7 +8,7 @@ packages=(
   libdeal.ii-dev libsuitesparse-dev libopenblas0-serial libeigen3-dev librandom123-dev
   libhdf5-dev libhdf5-openmpi-dev
   libtomlplusplus-dev libudunits2-dev libudunits2-data libcli11-dev libfmt-dev nlohmann-json3-dev
-  libgtest-dev libbenchmark-dev librapidcheck-dev
+  libgtest-dev libgmock-dev libbenchmark-dev librapidcheck-dev
   python3 python3-numpy python3-h5py python3-matplotlib
 )
 
