@@ -44,17 +44,18 @@ class Stages {
   }
 
   void step() {
-    const bool check = ++steps_ % dem::check_interval == 0;
+    const double horizon =
+        ++steps_ % dem::check_interval == 0 ? dem::check_interval * bed_time_step : 0;
     dem::Travel travel;
     timed(motion, [&] {
       travel = dem::advance_stones(bed_.stones, {bed_time_step, bed_time_step}, 0, reference_);
     });
     if (2 * travel.farthest > skin_) timed(lists, [&] { make_lists(); });
-    timed(pairs, [&] { pairs_.evaluate(bed_.stones, bed_time_step, check); });
+    timed(pairs, [&] { pairs_.evaluate(bed_.stones, bed_time_step, horizon); });
     timed(gather, [&] { dem::gather_forces(bed_.stones, list_, pairs_.forces, bed_gravity); });
     timed(wall_contacts, [&] {
       for (std::size_t w = 0; w < bed_.walls.size(); ++w)
-        at_walls_[w].evaluate(bed_.stones, bed_.walls[w], bed_time_step, check);
+        at_walls_[w].evaluate(bed_.stones, bed_.walls[w], bed_time_step, horizon);
     });
     if constexpr (Law::breaks)
       timed(fracture, [&] { cracked_ += !overloaded(bed_.stones).empty(); });

@@ -47,21 +47,22 @@ class PairContacts {
     slots_ = static_cast<std::int64_t>(slots);
   }
 
-  // Forces of all contacts after a step of dt [s]; with `check`, the extreme contacts too.
+  // Forces of all contacts after a step of dt [s], 0 before the first; with a horizon above 0 [s],
+  // the extreme contacts until then too.
   template <class T = Pack>
-  Extremes evaluate(const ParticleStore& stones, double dt, bool check) {
+  Extremes evaluate(const ParticleStore& stones, double dt, double horizon = 0) {
     Extremes found;
 #pragma omp parallel if (slots_ > 64)
     {
       Extremes mine;
 #pragma omp for schedule(static) nowait
       for (std::int64_t s = 0; s < slots_; s += width<T>) {
-        if (check)
-          evaluate_at<T, true>(stones, dt, s, mine);
+        if (horizon > 0)
+          evaluate_at<T, true>(stones, dt, horizon, s, mine);
         else
-          evaluate_at<T, false>(stones, dt, s, mine);
+          evaluate_at<T, false>(stones, dt, 0, s, mine);
       }
-      if (check) {
+      if (horizon > 0) {
 #pragma omp critical
         found.merge(mine);
       }
@@ -83,7 +84,8 @@ class PairContacts {
 
  private:
   template <class T, bool check>
-  void evaluate_at(const ParticleStore& stones, double dt, std::int64_t slot, Extremes& extremes);
+  void evaluate_at(const ParticleStore& stones, double dt, double horizon, std::int64_t slot,
+                   Extremes& extremes);
 
   std::vector<std::int32_t> first_, second_;
   std::int64_t slots_ = 0;
@@ -104,8 +106,8 @@ std::int64_t PairContacts<Law>::held() const {
 
 template <ContactLaw Law>
 template <class T, bool check>
-void PairContacts<Law>::evaluate_at(const ParticleStore& stones, double dt, std::int64_t slot,
-                                    Extremes& extremes) {
+void PairContacts<Law>::evaluate_at(const ParticleStore& stones, double dt, double horizon,
+                                    std::int64_t slot, Extremes& extremes) {
   using std::sqrt;
   const std::int32_t* i = &first_[slot];
   const std::int32_t* j = &second_[slot];
@@ -145,12 +147,14 @@ void PairContacts<Law>::evaluate_at(const ParticleStore& stones, double dt, std:
   contact.normal = apart * inverse;
   const Vec3<T>& normal = contact.normal;
   contact.closing = -dot(rate, normal);
+  // Velocities are of the middle of the step: so is the normal that spins are taken about.
+  const Vec3<T> middle = normal - (rate + normal * contact.closing) * (T(0.5 * dt) * inverse);
   const Vec3<T> surface =
-      rate - cross((radius_i - half) * spin_i + (radius_j - half) * spin_j, normal);
+      rate - cross((radius_i - half) * spin_i + (radius_j - half) * spin_j, middle);
   contact.sliding = (surface - normal * dot(surface, normal)) * T(dt);
   contact.turn =
       (cross(normal, rate) * inverse + normal * (T(0.5) * dot(spin_i + spin_j, normal))) * T(dt);
-  contact.horizon = check ? T(check_interval * dt) : T(0.0);
+  contact.horizon = T(horizon);
 
   const Response<T> response = law(contact, memory.value);
   forget<T>(!alive, memory.value);

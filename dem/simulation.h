@@ -69,12 +69,12 @@ class Simulation {
  private:
   void move_walls(Steps steps);
   void refresh_neighbors();
-  void find_forces(bool check);
+  void find_forces(double dt, bool check);
   void break_stones();
   void soften_stones();
   std::vector<StoneLoad> loads_on(std::size_t place) const;
   void inspect(const Extremes& pair, const std::vector<Extremes>& walls);
-  void set_time_step();
+  void set_time_step(double dt);  // of the laws, 0 for a jump [s]
 
   Settings settings_;
   ParticleStore stones_;
@@ -96,8 +96,9 @@ template <ContactLaw Law>
 void Simulation<Law>::step() {
   if (stale_) {
     refresh_neighbors();
-    set_time_step();
-    find_forces(true);
+    set_time_step(0);
+    find_forces(0, true);  // no time has passed: nothing has slid or relaxed
+    set_time_step(clock_.step());
   }
   const double dt = clock_.step();
   const Steps steps = {last_step_, dt};
@@ -113,17 +114,17 @@ void Simulation<Law>::step() {
   if (2 * travel.farthest > settings_.skin || travel.farthest + wall_moved > settings_.skin)
     refresh_neighbors();
 
-  find_forces(steps_ % check_interval == 0);
+  find_forces(dt, steps_ % check_interval == 0);
 }
 
 template <ContactLaw Law>
-void Simulation<Law>::find_forces(bool check) {
-  const double dt = clock_.step();
-  const Extremes pair = pairs_.evaluate(stones_, dt, check);
+void Simulation<Law>::find_forces(double dt, bool check) {
+  const double horizon = check ? check_interval * clock_.step() : 0;
+  const Extremes pair = pairs_.evaluate(stones_, dt, horizon);
   gather_forces(stones_, list_, pairs_.forces, settings_.gravity);
   std::vector<Extremes> at_walls;
   for (std::size_t w = 0; w < walls_.size(); ++w)
-    at_walls.push_back(wall_contacts_[w].evaluate(stones_, walls_[w], dt, check));
+    at_walls.push_back(wall_contacts_[w].evaluate(stones_, walls_[w], dt, horizon));
   if constexpr (Law::breaks) {
     break_stones();
     if (check) soften_stones();
@@ -183,13 +184,13 @@ template <ContactLaw Law>
 void Simulation<Law>::set_laws(const Law& pair_law, const std::vector<Law>& wall_laws) {
   pairs_.law = pair_law;
   for (std::size_t w = 0; w < walls_.size(); ++w) wall_contacts_[w].law = wall_laws[w];
-  set_time_step();
+  set_time_step(clock_.step());
 }
 
 template <ContactLaw Law>
-void Simulation<Law>::set_time_step() {
-  pairs_.law.set_time_step(clock_.step());
-  for (auto& contacts : wall_contacts_) contacts.law.set_time_step(clock_.step());
+void Simulation<Law>::set_time_step(double dt) {
+  pairs_.law.set_time_step(dt);
+  for (auto& contacts : wall_contacts_) contacts.law.set_time_step(dt);
 }
 
 template <ContactLaw Law>
@@ -215,7 +216,7 @@ void Simulation<Law>::inspect(const Extremes& pair, const std::vector<Extremes>&
                " at wall " + walls_[w].name;
   }
   if (rate > 0) limiting_ = limiting;
-  if (clock_.look(rate)) set_time_step();
+  if (clock_.look(rate)) set_time_step(clock_.step());
 }
 
 template <ContactLaw Law>

@@ -26,8 +26,9 @@ class WallContacts {
             std::span<const std::uint32_t> old_index);
 
   // Adds the contact forces to the stones and renews the wall's force, moment, push and impulses.
+  // dt and horizon as of the pairs.
   template <class T = Pack>
-  Extremes evaluate(ParticleStore& particles, Wall& wall, double dt, bool check);
+  Extremes evaluate(ParticleStore& particles, Wall& wall, double dt, double horizon = 0);
 
   // Appends the stone contact force on the stone at `place`, if there is one (laws that break
   // only).
@@ -45,7 +46,7 @@ class WallContacts {
   };
 
   template <class T>
-  void evaluate_at(ParticleStore& particles, const Wall& wall, double dt, bool check,
+  void evaluate_at(ParticleStore& particles, const Wall& wall, double dt, double horizon,
                    std::int64_t slot, Extremes& extremes);
   // Velocity of the bent face [m/s] and its displacement along the normal [m] below the points
   // `foot`.
@@ -84,15 +85,16 @@ void WallContacts<Law>::find(const ParticleStore& particles, const Wall& wall, d
 
 template <ContactLaw Law>
 template <class T>
-Extremes WallContacts<Law>::evaluate(ParticleStore& particles, Wall& wall, double dt, bool check) {
+Extremes WallContacts<Law>::evaluate(ParticleStore& particles, Wall& wall, double dt,
+                                     double horizon) {
   Extremes found;
 #pragma omp parallel if (slots_ > 64)
   {
     Extremes mine;
 #pragma omp for schedule(static) nowait
     for (std::int64_t s = 0; s < slots_; s += width<T>)
-      evaluate_at<T>(particles, wall, dt, check, s, mine);
-    if (check) {
+      evaluate_at<T>(particles, wall, dt, horizon, s, mine);
+    if (horizon > 0) {
 #pragma omp critical
       found.merge(mine);
     }
@@ -122,7 +124,7 @@ Vec3<T> WallContacts<Law>::bend(const Wall& wall, const Vec3<T>& foot, const Vec
 template <ContactLaw Law>
 template <class T>
 void WallContacts<Law>::evaluate_at(ParticleStore& particles, const Wall& wall, double dt,
-                                    bool check, std::int64_t slot, Extremes& extremes) {
+                                    double horizon, std::int64_t slot, Extremes& extremes) {
   const std::int32_t* i = &stones[slot];
   Touch* touch = &touches_[slot];
 
@@ -165,7 +167,7 @@ void WallContacts<Law>::evaluate_at(ParticleStore& particles, const Wall& wall, 
   // The frame follows the wall and, about the normal, half the stone's own spin.
   const Vec3<T> frame_spin = Frame::wide<T>(wall.frame.spin);
   contact.turn = (frame_spin + normal * (T(0.5) * dot(spin - frame_spin, normal))) * T(dt);
-  contact.horizon = check ? T(check_interval * dt) : T(0.0);
+  contact.horizon = T(horizon);
 
   const Response<T> response = law(contact, memory.value);
   forget<T>(!alive, memory.value);
@@ -194,7 +196,7 @@ void WallContacts<Law>::evaluate_at(ParticleStore& particles, const Wall& wall, 
       at.action.crush = lane(response.stone, k) / (size * size);
       particles.crush[to] = larger(particles.crush[to], at.action.crush);
     }
-    if (check)
+    if (horizon > 0)
       extremes.merge({lane(response.stiffness, k) / lane(inertia, k), slot + k,
                       (lane(overlap, k) - particles.shell) / lane(stone, k), slot + k});
   }

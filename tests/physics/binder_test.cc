@@ -6,10 +6,13 @@
 #include <numbers>
 
 #include "tests/physics/binder_laws.h"
+#include "tests/physics/check.h"
 #include "tests/physics/one_contact.h"
 
 namespace dem {
 namespace {
+
+using checks::absolute, checks::check, checks::relative;
 
 constexpr double r0 = 1.4e-3;  // of two stones of 5.6 mm [m]
 constexpr double deep = 1e-3;  // [m]
@@ -44,11 +47,15 @@ TEST(binder, a_step_of_overlap_relaxes_as_the_modulus) {
   for (const double phi : {0.25, 0.43, 1.0}) {
     const Binder<2> law = hot_binder(phi);
     auto contact = contact_of(law);
-    EXPECT_NEAR(contact.move(deep, 0).push / elastic(law, deep), 1, 1e-12);
+    const std::string name = "force of a step of overlap / K G0 h^1.5, time / s";
+    const std::string source = "closed form, G(t) / G0, Lee & Radok (1960)";
+    check({name, "1", contact.move(deep, 0).push / elastic(law, deep), 1, relative(1e-12), source,
+           0});
     double time = 0;
     for (const double dt : {1e-6, 1e-3, 0.05, 1.0, 20.0, 500.0, 1e-4}) {
       time += dt;
-      EXPECT_NEAR(contact.move(deep, dt).push / elastic(law, deep), relaxation(law, time), 1e-12);
+      check({name, "1", contact.move(deep, dt).push / elastic(law, deep), relaxation(law, time),
+             relative(1e-12), source, time});
     }
   }
 }
@@ -60,13 +67,17 @@ TEST(binder, a_step_at_a_wall_is_twice_that_of_a_pair) {
   auto at_wall = contact_of(wall), of_pair = contact_of(hot_binder(1));
   for (int k = 1; k < 50; ++k) {
     const double h = deep * k / 50;
-    EXPECT_NEAR(at_wall.move(h, 0.01).push / of_pair.move(h, 0.01).push, 2, 1e-12);
+    check({"force at a wall / of a pair, same overlap", "1",
+           at_wall.move(h, 0.01).push / of_pair.move(h, 0.01).push, 2, relative(1e-12),
+           "closed form, Lee & Radok (1960)", h});
   }
 }
 
 TEST(binder, the_first_touch_answers_with_the_whole_modulus) {
   // Closed form: F = 8/3 sqrt(R0) G0 h^1.5, 20.98 N at h = 1 mm, R0 = 1.4 mm, G0 = 6.65 MPa.
-  EXPECT_NEAR(contact_of(hot_binder(0.43)).move(deep, 0).push, 20.983, 0.001);
+  check({"force at the first touch, h = 1 mm, R0 = 1.4 mm", "N",
+         contact_of(hot_binder(0.43)).move(deep, 0).push, 20.983, absolute(0.001),
+         "closed form, 8/3 sqrt(R0) G0 h^1.5"});
 }
 
 TEST(binder, a_ramp_ends_at_the_force_of_the_hereditary_integral) {
@@ -79,7 +90,9 @@ TEST(binder, a_ramp_ends_at_the_force_of_the_hereditary_integral) {
     auto contact = contact_of(law);
     double force = 0;
     for (int n = 1; n <= 400; ++n) force = contact.move(deep * n / 400, duration[k] / 400).push;
-    EXPECT_NEAR(force / elastic(law, deep), reference[k], 1e-5);
+    check({"force at the end of a ramp / K G0 h^1.5, duration / s", "1", force / elastic(law, deep),
+           reference[k], absolute(1e-5), "hereditary integral by quadrature, in 400 steps",
+           duration[k]});
   }
 }
 
@@ -97,14 +110,18 @@ double ramp_error(double duration, int steps) {
 TEST(binder, a_ramp_of_100_steps_is_right_to_a_hundred_thousandth) {
   // Reference: the hereditary integral by adaptive quadrature. The recursion is exact for h^1.5
   // piecewise linear; h itself is linear here, hence a second order error.
-  for (const double duration : {0.05, 0.2, 1.0, 20.0}) EXPECT_LT(ramp_error(duration, 100), 1e-5);
+  for (const double duration : {0.05, 0.2, 1.0, 20.0})
+    check({"error of a ramp of 100 steps, duration / s", "1", ramp_error(duration, 100), 0,
+           absolute(1e-5), "hereditary integral by quadrature", duration});
 }
 
 TEST(binder, halving_the_step_of_a_ramp_quarters_the_error) {
   // Reference: adaptive quadrature; order 2 in the step. The curvature of h^1.5 is infinite at the
   // start, which leaves the observed order short of 2 by a few hundredths.
   for (const double duration : {0.05, 0.2, 1.0, 20.0})
-    EXPECT_NEAR(std::log2(ramp_error(duration, 100) / ramp_error(duration, 200)), 2, 0.1);
+    check({"observed order of a ramp, duration / s", "1",
+           std::log2(ramp_error(duration, 100) / ramp_error(duration, 200)), 2, absolute(0.1),
+           "theory of the recursion", duration});
 }
 
 TEST(binder, an_oscillation_is_followed_in_modulus_and_phase) {
@@ -117,7 +134,8 @@ TEST(binder, an_oscillation_is_followed_in_modulus_and_phase) {
       return 0.5 * deep * (1 - std::cos(2 * std::numbers::pi * t / period));
     };
     const double coarse = largest_error(law, wave, 4 * period, 400);
-    EXPECT_LT(coarse, 1e-4);
+    check({"largest error under a sine of 100 steps a period, period / s", "1", coarse, 0,
+           absolute(1e-4), "hereditary integral by quadrature", period});
     EXPECT_LT(largest_error(law, wave, 4 * period, 800), 0.3 * coarse);
   }
 }
@@ -127,7 +145,9 @@ TEST(binder, unloading_follows_the_hereditary_integral_into_tension) {
   for (const double phi : {0.25, 0.43, 1.0})
     for (const double rise : {0.1, 0.5}) {
       const auto triangle = [&](double t) { return deep * (1 - std::abs(1 - t / rise)); };
-      EXPECT_LT(largest_error(hot_binder(phi, 1e9), triangle, 2.2 * rise, 440), 1e-5);
+      check({"largest error of loading and unloading, rise time / s", "1",
+             largest_error(hot_binder(phi, 1e9), triangle, 2.2 * rise, 440), 0, absolute(1e-5),
+             "hereditary integral by quadrature", rise});
     }
 }
 
@@ -146,8 +166,10 @@ TEST(binder, the_spurious_tension_of_lee_and_radok_is_as_large_as_known) {
       lowest = std::min(lowest, force);
       if (force < 0 && turned == 0) turned = t / rise[k];
     }
-    EXPECT_NEAR(turned, turn[k], 0.006);
-    EXPECT_NEAR(lowest / most, least[k], 0.006);
+    check({"bitumen alone: time / rise time at which the force turns tensile, rise time / s", "1",
+           turned, turn[k], absolute(0.006), "quadrature, two digits", rise[k]});
+    check({"bitumen alone: least / largest force of a triangle, rise time / s", "1", lowest / most,
+           least[k], absolute(0.006), "quadrature, two digits", rise[k]});
   }
 }
 
@@ -167,7 +189,9 @@ TEST(binder, a_change_of_step_in_mid_run_does_no_harm) {
     if (n % 20) continue;
     const double exact = law.normal_factor * std::sqrt(r0) * law.modulus *
                          lee_radok(law, overlap, time, odd_power(deep));
-    EXPECT_NEAR(force / elastic(law, deep), exact / elastic(law, deep), 1e-5);
+    check({"force / K G0 h^1.5, step changing by factors of 1000, time / s", "1",
+           force / elastic(law, deep), exact / elastic(law, deep), absolute(1e-5),
+           "hereditary integral by quadrature", time});
   }
 }
 
@@ -181,8 +205,10 @@ TEST(binder, fast_loading_is_glassy_and_slow_loading_relaxed) {
     for (int n = 1; n <= 100; ++n) force = contact.move(deep * n / 100, duration / 100).push;
     return force / elastic(law, deep);
   };
-  EXPECT_NEAR(end_of_ramp(1e-8), 1, 1e-7);
-  EXPECT_NEAR(end_of_ramp(1e10), 1 - 0.43, 1e-7);
+  check({"force / K G0 h^1.5 of a ramp within 1e-8 s", "1", end_of_ramp(1e-8), 1, absolute(1e-7),
+         "closed form, glassy limit"});
+  check({"force / K G0 h^1.5 of a ramp within 1e10 s", "1", end_of_ramp(1e10), 1 - 0.43,
+         absolute(1e-7), "closed form, relaxed limit"});
 }
 
 TEST(binder, a_pair_that_never_touched_feels_nothing) {

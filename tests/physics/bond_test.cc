@@ -5,10 +5,13 @@
 #include <numbers>
 
 #include "tests/physics/binder_laws.h"
+#include "tests/physics/check.h"
 #include "tests/physics/one_contact.h"
 
 namespace dem {
 namespace {
+
+using checks::absolute, checks::check, checks::relative;
 
 constexpr double r0 = 1.4e-3;          // [m]
 constexpr double bond_energy = 1e4;    // w of the source, 0.01 J/mm2 [J/m2]
@@ -28,8 +31,10 @@ OneContact<Binder<2>> pressed_contact(double bitumen_fraction, double energy) {
 TEST(bond, the_pull_off_force_is_that_of_johnson_kendall_and_roberts) {
   // Closed form: 3/2 pi w R0 (Johnson, Kendall & Roberts 1971); 66 N for two stones of 5.6 mm and
   // w = 0.01 J/mm2.
-  EXPECT_NEAR(Bond{bond_energy}.pull_off(r0), 66, 0.05);
-  EXPECT_NEAR(Bond{bond_energy}.pull_off(r0), pull_off(bond_energy), 1e-12);
+  check({"pull-off force, two stones of 5.6 mm, 0.01 J/mm2", "N", Bond{bond_energy}.pull_off(r0),
+         66, absolute(0.05), "Johnson, Kendall & Roberts (1971), two digits"});
+  check({"pull-off force, two stones of 5.6 mm, 0.01 J/mm2", "N", Bond{bond_energy}.pull_off(r0),
+         pull_off(bond_energy), relative(1e-12), "closed form, 3/2 pi w R0"});
   EXPECT_EQ(Bond{0}.pull_off(r0), 0);
 }
 
@@ -39,7 +44,8 @@ TEST(bond, an_elastic_bond_stretches_to_exactly_its_pull_off_force) {
   const double stiffness = pair_factor * std::sqrt(r0) * hot_binder(0).modulus;
   const double stretch = std::pow(pull_off(bond_energy) / stiffness, 2.0 / 3);
   const double last = contact.move(-stretch * (1 - 1e-9), 1e-3).push;
-  EXPECT_NEAR(last / pull_off(bond_energy), -1, 1e-8);
+  check({"elastic bond: tension just before the break / F_min", "1", last / pull_off(bond_energy),
+         -1, relative(1e-8), "closed form"});
   EXPECT_TRUE(contact.held());
   EXPECT_EQ(contact.move(-stretch * (1 + 1e-9), 1e-3).push, 0);
   EXPECT_FALSE(contact.held());
@@ -58,7 +64,9 @@ TEST(bond, tension_grows_to_the_pull_off_force_and_never_beyond) {
       ASSERT_GT(h, -10e-3);
     }
     EXPECT_GE(least, -pull_off(bond_energy));
-    EXPECT_NEAR(least / pull_off(bond_energy), -1, 1e-3);
+    check({"relaxing bond: largest tension / F_min, speed / (m/s)", "1",
+           least / pull_off(bond_energy), -1, relative(1e-3), "the law, within a step of overlap",
+           speed});
   }
 }
 

@@ -4,10 +4,13 @@
 #include <numbers>
 
 #include "tests/physics/binder_laws.h"
+#include "tests/physics/check.h"
 #include "tests/physics/one_contact.h"
 
 namespace dem {
 namespace {
+
+using checks::check, checks::relative;
 
 constexpr double r0 = 1.4e-3;  // [m]
 constexpr double deep = 0.8e-3;
@@ -33,7 +36,8 @@ TEST(film, a_step_of_sliding_relaxes_as_the_modulus) {
   for (const double dt : {1e-3, 0.2, 30.0}) {
     time += dt;
     const Vec3d shear = contact.move(deep, dt).shear;
-    EXPECT_NEAR(shear.x / whole, -0.6 * relaxation(law, time), 1e-12);
+    check({"shear force of a step of sliding / G0 A s / b, time / s", "1", shear.x / whole / -0.6,
+           relaxation(law, time), relative(1e-12), "closed form, G(t) / G0", time});
     EXPECT_NEAR(shear.y / whole, 0.8 * relaxation(law, time), 1e-12);
   }
 }
@@ -51,7 +55,9 @@ TEST(film, steady_sliding_is_exact_for_any_step) {
     for (int i = 0; i < 2; ++i)
       sum -= law.weight[i] * law.time[i] * std::expm1(-time / law.time[i]);
     const double shear = contact.move(deep, dt, {speed * dt, 0, 0}).shear.x;
-    EXPECT_NEAR(-shear / (stiffness(law, deep) * speed * sum), 1, 1e-12);
+    check({"shear force of steady sliding / exact, time / s", "1",
+           -shear / (stiffness(law, deep) * speed * sum), 1, relative(1e-12),
+           "closed form, int G dt", time});
   }
 }
 
@@ -68,7 +74,9 @@ TEST(film, growing_contact_adds_area_to_later_sliding_only) {
   double shear = 0;
   for (int n = 1; n <= steps; ++n)
     shear = contact.move(deep * n / steps, duration / steps, {slide / steps, 0, 0}).shear.x;
-  EXPECT_NEAR(-shear / (exact * slide / duration), 1, 2.0 / steps);
+  check({"shear force of a growing contact / exact, 2000 steps", "1",
+         -shear / (exact * slide / duration), 1, relative(2.0 / steps),
+         "hereditary integral by quadrature"});
 }
 
 TEST(film, shrinking_contact_gives_up_force_with_its_area) {
@@ -78,7 +86,9 @@ TEST(film, shrinking_contact_gives_up_force_with_its_area) {
   contact.move(deep, 0);
   contact.move(deep, 0, {slide, 0, 0});
   const double whole = stiffness(law, deep) * slide;
-  EXPECT_NEAR(-contact.move(0.25 * deep, 1e-3).shear.x / whole, 0.25, 1e-12);
+  check({"shear force left at a quarter of the area", "1",
+         -contact.move(0.25 * deep, 1e-3).shear.x / whole, 0.25, relative(1e-12),
+         "the law: history shrinks with the area"});
   EXPECT_NEAR(-contact.move(deep, 1e-3).shear.x / whole, 0.25, 1e-12);
 }
 
@@ -113,7 +123,9 @@ TEST(film, a_film_on_a_wall_slips_at_its_friction) {
   auto contact = contact_of(law);
   const double push = contact.move(deep, 0).push;
   for (int n = 0; n < 40; ++n) contact.move(deep, 1e-3, {slide, 0, 0});
-  EXPECT_NEAR(contact.move(deep, 1e-3, {slide, 0, 0}).shear.x / (-0.3 * push), 1, 1e-12);
+  check({"shear force of a film slipping on a wall / mu F", "1",
+         contact.move(deep, 1e-3, {slide, 0, 0}).shear.x / (-0.3 * push), 1, relative(1e-12),
+         "closed form, Coulomb"});
   EXPECT_NEAR(contact.move(deep, 1e-3, {-0.1 * slide, 0, 0}).shear.x,
               -0.3 * push + 0.1 * slide * stiffness(law, deep), 1e-9);
   contact.move(0, 1e-3);
@@ -129,7 +141,8 @@ TEST(film, half_the_thickness_is_twice_the_stiffness) {
   of_pair.move(deep, 0);
   const double ratio = at_wall.move(deep, 1e-2, {slide, 0, 0}).shear.x /
                        of_pair.move(deep, 1e-2, {slide, 0, 0}).shear.x;
-  EXPECT_NEAR(ratio, 2, 1e-12);
+  check({"shear force of half the film thickness / of the whole", "1", ratio, 2, relative(1e-12),
+         "closed form, G A / b"});
 }
 
 }  // namespace

@@ -9,10 +9,13 @@
 #include "dem/laws/fracture.h"
 #include "dem/laws/mindlin.h"
 #include "dem/simulation.h"
+#include "tests/physics/check.h"
 #include "tests/physics/one_contact.h"
 
 namespace dem {
 namespace {
+
+using checks::absolute, checks::check, checks::relative;
 
 using Law = Fracture<Mindlin<>>;
 constexpr Mindlin<> stone = {{3.8e10}, 8e9, 0.7};
@@ -21,7 +24,8 @@ constexpr Crack crack = {0, 0, 50e6, {0, 0, 1}, 200};
 TEST(fracture, a_cracked_stone_that_nothing_clamps_keeps_its_residual_stiffness) {
   // Limit of the rule: C = 0, loads along the crack included.
   const FractureRule rule;
-  EXPECT_EQ(stiffness_share(rule, crack, {}), rule.residual);
+  check({"stiffness share of a cracked stone, nothing clamps it", "1",
+         stiffness_share(rule, crack, {}), rule.residual, absolute(0), "limit of the rule, C = 0"});
   EXPECT_NEAR(stiffness_share(rule, crack, {{{0, 0, 1}, 1e6, 0}, {{0, 0, -1}, 1e6, 0}}),
               rule.residual, 1e-12);
 }
@@ -30,14 +34,17 @@ TEST(fracture, a_cracked_stone_clamped_hard_is_as_stiff_as_before) {
   // Limit of the rule: C -> infinity, share -> 1 as 1 - (1 - residual) F_b / C.
   const double clamp = 1e9;
   const double share = stiffness_share({}, crack, {{{1, 0, 0}, clamp, 0}, {{-1, 0, 0}, clamp, 0}});
-  EXPECT_NEAR((1 - share) / (0.9 * crack.force / clamp), 1, 1e-6);
+  check({"stiffness lost of a stone clamped hard / 0.9 F_b / C", "1",
+         (1 - share) / (0.9 * crack.force / clamp), 1, relative(1e-6),
+         "limit of the rule, C to infinity"});
 }
 
 TEST(fracture, clamping_with_the_breaking_force_restores_half_of_what_was_lost) {
   // Closed form: C = F_b gives residual + (1 - residual)/2; a pair of opposite forces F across the
   // crack is C = F, at 45 degrees half of it.
   const double half = stiffness_share({0.2}, crack, {{{1, 0, 0}, 200, 0}, {{-1, 0, 0}, 200, 0}});
-  EXPECT_NEAR(half, 0.2 + 0.8 / 2, 1e-12);
+  check({"stiffness share of a stone clamped by its breaking force", "1", half, 0.2 + 0.8 / 2,
+         relative(1e-12), "closed form of the rule"});
   const double s = std::sqrt(0.5);
   const double oblique =
       stiffness_share({0.2}, crack, {{{s, 0, s}, 200, 0}, {{-s, 0, -s}, 200, 0}});
@@ -77,7 +84,8 @@ TEST(fracture, compliances_of_stone_and_wall_add_up) {
       OneContact<Law> contact({stone, share}, 1e-3, 1e-3);
       contact.soften(softness);
       const auto at = contact.move(10e-6, 1e-6);
-      EXPECT_NEAR(at.push / whole, 1 / (1 + share * (softness - 1)), 1e-12);
+      check({"force / that of a whole stone, softness", "1", at.push / whole,
+             1 / (1 + share * (softness - 1)), relative(1e-12), "compliances add up", softness});
       EXPECT_EQ(at.stone, at.push);
     }
 }
@@ -111,13 +119,16 @@ TEST(fracture, a_squeezed_stone_breaks_when_its_strength_is_reached_and_only_onc
     most = std::max(most, press.walls()[0].push);
     ASSERT_LT(press.time(), 5e-3);
   }
-  EXPECT_NEAR(most, 320, 1);
+  check({"force that breaks a stone of 20 MPa and 8 mm", "N", most, 320, absolute(1),
+         "closed form, sigma_F R0^2; 0.1 N a step"});
   EXPECT_NEAR(press.cracks()[0].force, 320, 1);
   EXPECT_NEAR(std::abs(press.cracks()[0].direction.z), 1, 1e-12);
   const double whole = most / std::pow(0.5 * 0.02 * press.time(), 1.5);
   for (int n = 0; n < 2000; ++n) press.step();
   EXPECT_NEAR(press.stones().softness[0], 10, 1e-3);
-  EXPECT_NEAR(press.walls()[0].push / std::pow(0.5 * 0.02 * press.time(), 1.5) / whole, 0.1, 0.01);
+  check({"stiffness of a broken, unclamped stone / before", "1",
+         press.walls()[0].push / std::pow(0.5 * 0.02 * press.time(), 1.5) / whole, 0.1,
+         absolute(0.01), "residual of the rule"});
   EXPECT_EQ(press.cracks().size(), 1u);
 }
 

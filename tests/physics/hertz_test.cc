@@ -1,13 +1,17 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "dem/laws/mindlin.h"
 #include "dem/material.h"
+#include "tests/physics/check.h"
 #include "tests/physics/one_contact.h"
 
 namespace dem {
 namespace {
+
+using checks::absolute, checks::check, checks::relative;
 
 constexpr Material granite = {74e9, 0.15}, steel = {210e9, 0.3};
 
@@ -21,10 +25,13 @@ Mindlin<> law_of(const Material& one, const Material& other, double gap = 0) {
 TEST(hertz, the_reduced_moduli_are_those_of_granite_and_steel) {
   // Closed form: 1/E0 = sum (1 - nu^2)/E: 37.85 GPa for a pair of stones, 57.00 GPa on steel;
   // 1/G* = sum (2 - nu)/G with G = 32.17 GPa. Given to four digits.
-  EXPECT_NEAR(law_of(granite, granite).normal.modulus / 1e9, 37.85, 0.005);
-  EXPECT_NEAR(law_of(granite, steel).normal.modulus / 1e9, 57.00, 0.005);
-  EXPECT_NEAR(shear_modulus(granite) / 1e9, 32.17, 0.005);
-  EXPECT_NEAR(law_of(granite, granite).shear_modulus / 1e9, 32.17 / (2 * 1.85), 0.005);
+  const auto known = [](const std::string& what, double computed, double reference) {
+    check({what, "GPa", computed / 1e9, reference, absolute(0.005), "closed form, four digits"});
+  };
+  known("reduced modulus of two granite stones", law_of(granite, granite).normal.modulus, 37.85);
+  known("reduced modulus of granite on steel", law_of(granite, steel).normal.modulus, 57.00);
+  known("shear modulus of granite", shear_modulus(granite), 32.17);
+  known("G* of two granite stones", law_of(granite, granite).shear_modulus, 32.17 / (2 * 1.85));
 }
 
 TEST(hertz, the_force_is_that_of_hertz) {
@@ -37,7 +44,8 @@ TEST(hertz, the_force_is_that_of_hertz) {
     const double exact = std::pow(force / (4.0 / 3 * law.normal.modulus * std::sqrt(r0)), 2.0 / 3);
     EXPECT_NEAR(exact, approach, 0.05e-6);
     OneContact<Mindlin<>> contact(law, r0, r0);
-    EXPECT_NEAR(contact.move(exact, 1e-6).push / force, 1, 1e-12);
+    check({"force of two granite stones, approach / m", "N", contact.move(exact, 1e-6).push, force,
+           relative(1e-12), "closed form, Hertz (1882)", exact});
   }
 }
 
@@ -50,7 +58,9 @@ TEST(hertz, stones_meet_where_their_shells_are_squeezed_out) {
   const auto at = contact.move(gap + d, 1e-6);
   const double exact =
       4.0 / 3 * law_of(granite, granite).normal.modulus * std::sqrt(stone) * std::pow(d, 1.5);
-  EXPECT_NEAR(at.push / exact, 1, 1e-10);  // gap + d - gap loses three digits of d
+  check({"force of stones within squeezed shells", "N", at.push, exact,
+         relative(1e-10),  // gap + d - gap loses three digits of d
+         "closed form, Hertz (1882)"});
   EXPECT_EQ(at.push, at.stone);
 }
 
@@ -59,7 +69,9 @@ TEST(hertz, the_reported_stiffness_is_the_slope_of_the_force) {
   OneContact<Mindlin<>> contact(law_of(granite, granite), 1e-3, 1e-3);
   constexpr double d = 10e-6, step = 1e-4 * d;
   const double above = contact.move(d + step, 1e-6).push, below = contact.move(d - step, 1e-6).push;
-  EXPECT_NEAR(contact.move(d, 1e-6).stiffness / ((above - below) / (2 * step)), 1, 1e-8);
+  check({"tangent stiffness / slope of the force", "1",
+         contact.move(d, 1e-6).stiffness / ((above - below) / (2 * step)), 1, relative(1e-8),
+         "central difference"});
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "dem/laws/mindlin.h"
@@ -31,10 +32,11 @@ struct ImpactCase {
 };
 
 struct Outcome {
-  double force = 0;                   // largest normal force [N]
-  double overlap = 0;                 // largest [m]
-  double duration = 0;                // of the contact [s]
-  std::vector<Vec3d> velocity, spin;  // afterwards, by sphere [m/s], [rad/s]
+  double force = 0;                             // largest normal force [N]
+  double overlap = 0;                           // largest [m]
+  double duration = 0;                          // of the contact [s]
+  std::vector<std::pair<double, double>> path;  // overlap [m] and normal force [N], step by step
+  std::vector<Vec3d> velocity, spin;            // afterwards, by sphere [m/s], [rad/s]
 };
 
 inline double sphere_mass(const ImpactCase& impact, int k) {
@@ -100,6 +102,7 @@ inline Outcome collide(const ImpactCase& impact) {
     if (pair) overlap = radius[0] + radius[1] - norm(now.position[0] - now.position[1]);
     if (overlap <= 0 && touched) break;
     if (overlap > 0) touched = true;
+    if (touched) outcome.path.emplace_back(overlap, std::abs(now.force[0].z));
     outcome.overlap = std::max(outcome.overlap, overlap);
     outcome.force = std::max(outcome.force, std::abs(now.force[0].z));
   }

@@ -6,11 +6,15 @@
 #include "dem/laws/mindlin.h"
 #include "dem/laws/sum.h"
 #include "dem/material.h"
+#include "dem/simulation.h"
 #include "tests/physics/binder_laws.h"
+#include "tests/physics/check.h"
 #include "tests/physics/one_contact.h"
 
 namespace dem {
 namespace {
+
+using checks::absolute, checks::check, checks::relative;
 
 constexpr Material granite = {74e9, 0.15};
 constexpr double r0 = 1e-3;       // [m]
@@ -33,8 +37,9 @@ double hertz(double overlap) {
 
 TEST(mindlin, shear_and_normal_stiffness_are_in_mindlins_ratio) {
   // Closed form: k_t / k_n = 2 (1 - nu)/(2 - nu), 0.919 at nu = 0.15 (Mindlin 1949).
-  EXPECT_NEAR(spring(d) / (2 * law_of(0).normal.modulus * std::sqrt(r0 * d)), 2 * 0.85 / 1.85,
-              1e-12);
+  check({"shear / normal stiffness, nu = 0.15", "1",
+         spring(d) / (2 * law_of(0).normal.modulus * std::sqrt(r0 * d)), 2 * 0.85 / 1.85,
+         relative(1e-12), "closed form, 2 (1 - nu)/(2 - nu), Mindlin (1949)"});
 }
 
 TEST(mindlin, a_stuck_contact_is_a_linear_spring) {
@@ -45,7 +50,8 @@ TEST(mindlin, a_stuck_contact_is_a_linear_spring) {
   for (const double ds : {1e-7, 2e-7, -5e-7, 3e-7}) {
     slid += ds;
     const Vec3d shear = contact.move(d, dt, {0, ds, 0}).shear;
-    EXPECT_NEAR(shear.y, -spring(d) * slid, 1e-12 * spring(d) * 1e-6);
+    check({"shear force, loading and unloading in stick", "N", shear.y, -spring(d) * slid,
+           relative(1e-12), "closed form, 8 G* a s, Mindlin (1949)"});
     EXPECT_EQ(shear.x, 0);
   }
 }
@@ -58,7 +64,8 @@ TEST(mindlin, a_slipping_contact_carries_exactly_the_coulomb_force) {
   const double limit = 0.7 * hertz(d);
   for (int k = 0; k < 50; ++k) contact.move(d, dt, {0.6e-6, 0.8e-6, 0});
   const Vec3d slipping = contact.move(d, dt, {0.6e-6, 0.8e-6, 0}).shear;
-  EXPECT_NEAR(norm(slipping) / limit, 1, 1e-12);
+  check({"shear force in slip / mu F", "1", norm(slipping) / limit, 1, relative(1e-12),
+         "closed form, Coulomb"});
   EXPECT_NEAR(slipping.x / limit, -0.6, 1e-12);
   const Vec3d back = contact.move(d, dt, {-0.06e-6, -0.08e-6, 0}).shear;
   EXPECT_NEAR((norm(slipping) - norm(back)) / (spring(d) * 1e-7), 1, 1e-9);
@@ -85,7 +92,8 @@ TEST(mindlin, a_growing_contact_stiffens_later_sliding_only) {
   double shear = 0;
   for (int n = 1; n <= steps; ++n)
     shear = contact.move(d * n / steps, dt, {1e-6 / steps, 0, 0}).shear.x;
-  EXPECT_NEAR(-shear / (spring(d) * 1e-6), 2.0 / 3, 1.0 / steps);
+  check({"shear force / 8 G* a s, overlap and sliding in proportion, 1000 steps", "1",
+         -shear / (spring(d) * 1e-6), 2.0 / 3, absolute(1.0 / steps), "closed form, 2/3"});
 }
 
 TEST(mindlin, a_shrinking_contact_gives_up_force_with_its_radius) {
@@ -94,7 +102,9 @@ TEST(mindlin, a_shrinking_contact_gives_up_force_with_its_radius) {
   contact.move(d, dt);
   contact.move(d, dt, {1e-6, 0, 0});
   const double whole = spring(d) * 1e-6;
-  EXPECT_NEAR(-contact.move(0.25 * d, dt).shear.x / whole, 0.5, 1e-12);
+  check({"shear force left at a quarter of the overlap", "1",
+         -contact.move(0.25 * d, dt).shear.x / whole, 0.5, relative(1e-12),
+         "Thornton et al. (2013), 2.3"});
   EXPECT_NEAR(-contact.move(d, dt).shear.x / whole, 0.5, 1e-12);
 }
 
@@ -123,8 +133,30 @@ TEST(mindlin, friction_counts_the_force_of_the_stones_alone) {
   const auto sum = both.move(gap + d, dt, {50e-6, 0, 0});
   const auto part = binder.move(gap + d, dt, {50e-6, 0, 0});
   EXPECT_NEAR(sum.stone / hertz(d), 1, 1e-10);  // gap + d - gap loses three digits of d
-  EXPECT_NEAR((part.shear.x - sum.shear.x) / (0.7 * hertz(d)), 1, 1e-9);
+  check({"friction of stones in shells / mu F of the stones", "1",
+         (part.shear.x - sum.shear.x) / (0.7 * hertz(d)), 1, relative(1e-9),
+         "Olsson, Jelagin & Partl, section 2"});
   EXPECT_NEAR(sum.push, sum.stone + part.push, 1e-12 * sum.push);
+}
+
+TEST(mindlin, stones_that_touch_at_the_start_have_slid_by_nothing_yet) {
+  // Closed form: T = 8 G* a x what was slid in the steps taken, n v dt; the stone is too heavy for
+  // the force to slow it.
+  constexpr double speed = 1e-3, short_step = 1e-9;
+  ParticleStore stones = make_stones({{0, 0, r0 - d}}, {r0}, 2650, 0, 1e9);
+  stones.velocity[0] = {speed, 0, 0};
+  Settings settings;
+  settings.gravity = 0;
+  settings.largest_step = short_step;
+  settings.skin = 0.1 * r0;
+  Simulation<Mindlin<>> run(stones, law_of(sticking), settings);
+  run.add_wall({"plane", Plane{}, {}}, law_of(sticking));
+  for (int n = 1; n <= 3; ++n) {
+    run.step();
+    check({"shear force after few steps / that of the way slid", "1",
+           -run.stones().force[0].x / (spring(d) * n * speed * short_step), 1, relative(1e-6),
+           "closed form"});
+  }
 }
 
 TEST(mindlin, a_stone_that_softens_gives_up_shear_force_with_its_stiffness) {

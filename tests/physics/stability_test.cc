@@ -14,9 +14,12 @@
 #include "dem/material.h"
 #include "dem/observe.h"
 #include "dem/simulation.h"
+#include "tests/physics/check.h"
 
 namespace dem {
 namespace {
+
+using checks::absolute, checks::at_least, checks::check;
 
 using Law = Mindlin<>;
 constexpr Material granite = {74e9, 0.15};
@@ -112,25 +115,28 @@ TEST(stability, a_stone_between_two_plates_is_stable_up_to_the_step_of_its_rolli
   // 0.933 sqrt(m / k_n); bouncing alone would allow 1.41. Bisection to 0.005, and the overlap of
   // the disturbance changes k by less than 1 %.
   const double share = 4 * law_of(1).shear_modulus / law_of(1).normal.modulus;
-  EXPECT_NEAR(critical(row_of({radius})), 2 / std::sqrt(5 * share), 0.015);
+  const double found = critical(row_of({radius}));
+  check({"critical step / sqrt(m / k), a stone rolling between two plates", "1", found,
+         2 / std::sqrt(5 * share), absolute(0.015), "closed form, 2 / sqrt(5 k_t / m)"});
+  check({"critical step / sqrt(m / k), one stone between plates", "1", found, Settings{}.safety,
+         at_least, "step that a run takes"});
 }
 
 // A run never takes a step above the one that is measured to be stable.
-void expect_safe(const Bed& bed) {
-  const double found = critical(bed);
-  testing::Test::RecordProperty("critical", std::to_string(found));
-  EXPECT_GT(found, Settings{}.safety);
+void expect_safe(const Bed& bed, const std::string& name) {
+  check({"critical step / sqrt(m / k), " + name, "1", critical(bed), Settings{}.safety, at_least,
+         "step that a run takes"});
 }
 
 TEST(stability, two_stones_between_plates_are_safe) {
   // By bisection: 0.97 sqrt(m / k).
-  expect_safe(row_of({radius, radius}));
+  expect_safe(row_of({radius, radius}), "two stones between plates");
 }
 
 TEST(stability, a_stone_eight_times_smaller_is_safe_beside_and_between_large_ones) {
   // By bisection: 0.97 and 1.11 sqrt(m / k), m of the small stone.
-  expect_safe(row_of({radius, 8 * radius}));
-  expect_safe(row_of({8 * radius, radius, 8 * radius}));
+  expect_safe(row_of({radius, 8 * radius}), "sizes 1 and 8 between plates");
+  expect_safe(row_of({8 * radius, radius, 8 * radius}), "size 1 between two of size 8");
 }
 
 TEST(stability, stones_with_twelve_neighbours_are_safe) {
@@ -151,7 +157,7 @@ TEST(stability, stones_with_twelve_neighbours_are_safe) {
     bed.planes.push_back({axis * low, axis});
     bed.planes.push_back({axis * high, -axis});
   }
-  expect_safe(bed);
+  expect_safe(bed, "stones with twelve neighbours");
 }
 
 }  // namespace

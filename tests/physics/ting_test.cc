@@ -4,12 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <string>
 
 #include "tests/physics/binder_laws.h"
+#include "tests/physics/check.h"
 #include "tests/physics/one_contact.h"
 
 namespace dem {
 namespace {
+
+using checks::absolute, checks::check, checks::relative;
 
 constexpr double r0 = 1.4e-3, deep = 1e-3;  // [m]
 constexpr int steps = 400;                  // of the rise of a triangle h(t)
@@ -75,13 +80,20 @@ Loop loop_of(double bitumen_fraction, double rise) {
   return loop;
 }
 
+std::string phase(double bitumen_fraction, double rise) {
+  std::ostringstream text;
+  text << 100 * bitumen_fraction << " % bitumen, rise time " << rise << " s";
+  return text.str();
+}
+
 TEST(ting, loading_is_the_same) {
   // Closed form: t1 = t while the contact grows.
   const Binder<2> law = hot_binder(0.43);
   OneContact<Binder<2>> contact(law, r0, r0);
   for (int n = 1; n <= steps; ++n) {
     const double force = contact.move(deep * n / steps, 0.1 / steps).push;
-    EXPECT_NEAR(force / ting_force(law, 0.1, 0.1 * n / steps), 1, 1e-3 / n + 1e-5);
+    check({"force of loading / Ting's", "1", force / ting_force(law, 0.1, 0.1 * n / steps), 1,
+           relative(1e-3 / n + 1e-5), "Ting (1966)"});
   }
 }
 
@@ -89,11 +101,12 @@ TEST(ting, the_contact_lets_go_where_the_exact_solution_says) {
   // Closed form: lift-off where J(t) = 2 J(t - rise), J = int G dt; its roots at 150 degC, / rise
   // time. Loops of 400 steps a rise know it to a step, 0.0025. (Quadrature on a coarser grid, the
   // first reference, had 1.75, 1.81, 1.91, 1.95, 1.95.)
-  EXPECT_NEAR(loop_of(1, 0.1).lift_off, 1.7490, 0.003);
-  EXPECT_NEAR(loop_of(1, 0.5).lift_off, 1.8015, 0.003);
-  EXPECT_NEAR(loop_of(0.43, 0.1).lift_off, 1.9025, 0.003);
-  EXPECT_NEAR(loop_of(0.43, 0.5).lift_off, 1.9458, 0.003);
-  EXPECT_NEAR(loop_of(0.25, 0.1).lift_off, 1.9454, 0.003);
+  const double fraction[] = {1, 1, 0.43, 0.43, 0.25}, rise[] = {0.1, 0.5, 0.1, 0.5, 0.1};
+  const double known[] = {1.7490, 1.8015, 1.9025, 1.9458, 1.9454};
+  for (int k = 0; k < 5; ++k)
+    check({"lift-off / rise time of Ting's reference itself", "1",
+           loop_of(fraction[k], rise[k]).lift_off, known[k], absolute(0.003),
+           "closed form, J(t) = 2 J(t - rise)"});
 }
 
 TEST(ting, the_loss_of_a_loop_is_nearly_that_of_the_exact_solution) {
@@ -103,8 +116,12 @@ TEST(ting, the_loss_of_a_loop_is_nearly_that_of_the_exact_solution) {
   const double ours[] = {0.34, 0.46, 0.16, 0.165, 0.09}, ting[] = {0.32, 0.42, 0.14, 0.15, 0.08};
   for (int k = 0; k < 5; ++k) {
     const Loop loop = loop_of(fraction[k], rise[k]);
-    EXPECT_NEAR(loop.loss_ours, ours[k], 0.006);
-    EXPECT_NEAR(loop.loss_ting, ting[k], 0.006);
+    check({"loss / work put in of a triangle, ours clipped at zero", "1", loop.loss_ours, ours[k],
+           absolute(0.006), "quadrature of Lee & Radok, two decimals"});
+    check({"loss / work put in of a triangle, Ting's reference itself", "1", loop.loss_ting,
+           ting[k], absolute(0.006), "quadrature of Ting, two decimals"});
+    check({"loss / work put in, ours against Ting's, " + phase(fraction[k], rise[k]), "1",
+           loop.loss_ours, loop.loss_ting, absolute(0.05), "Ting (1966)"});
   }
 }
 
@@ -113,9 +130,10 @@ TEST(ting, unloading_differs_from_the_exact_one_by_little) {
   // 0.5 s: 2.1 and 1.0 % with 25 % of bitumen in the phase, 3.0 and 1.7 % with 43 %, 4.9 and 4.6 %
   // with bitumen alone. It is largest just before lift-off, where ours turns tensile too early.
   for (const double rise : {0.1, 0.5}) {
-    EXPECT_LT(loop_of(0.25, rise).difference, 0.021);
-    EXPECT_LT(loop_of(0.43, rise).difference, 0.031);
-    EXPECT_LT(loop_of(1, rise).difference, 0.050);
+    const double fraction[] = {0.25, 0.43, 1}, most[] = {0.021, 0.031, 0.050};
+    for (int k = 0; k < 3; ++k)
+      check({"largest difference of unloading / largest force, " + phase(fraction[k], rise), "1",
+             loop_of(fraction[k], rise).difference, 0, absolute(most[k]), "Ting (1966)"});
   }
 }
 

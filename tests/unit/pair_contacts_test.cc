@@ -16,6 +16,7 @@ namespace {
 using Law = Sum<Mindlin<>, Binder<2>>;
 using Pairs = PairContacts<Law>;
 constexpr double dt = 1e-5;       // [s]
+constexpr double ahead = 16e-5;   // horizon of those who look [s]
 constexpr double shell = 0.5e-3;  // [m]
 
 Law asphalt() {
@@ -65,9 +66,9 @@ TEST(pair_contacts, eight_slots_at_a_time_are_answered_as_one_at_a_time) {
   list_pairs(slow, stones);
   ASSERT_GE(fast.slots(), 50);
   for (int n = 0; n < 50; ++n) {
-    const bool check = n % 7 == 0;
-    const Extremes at_fast = fast.evaluate<Pack>(stones, dt, check);
-    const Extremes at_slow = slow.evaluate<double>(stones, dt, check);
+    const double horizon = n % 7 == 0 ? ahead : 0;
+    const Extremes at_fast = fast.evaluate<Pack>(stones, dt, horizon);
+    const Extremes at_slow = slow.evaluate<double>(stones, dt, horizon);
     for (std::int64_t s = 0; s < fast.slots(); ++s) {
       const double scale = 1e-10 * (1 + norm(slow.forces[s].force));
       ASSERT_NEAR(norm(fast.forces[s].force - slow.forces[s].force), 0, scale);
@@ -89,8 +90,8 @@ TEST(pair_contacts, looking_at_the_extremes_does_not_change_the_forces) {
   Pairs looking, blind;
   list_pairs(looking, stones);
   list_pairs(blind, stones);
-  looking.evaluate(stones, dt, true);
-  blind.evaluate(stones, dt, false);
+  looking.evaluate(stones, dt, ahead);
+  blind.evaluate(stones, dt);
   for (std::int64_t s = 0; s < blind.slots(); ++s)
     EXPECT_EQ(__builtin_memcmp(&looking.forces[s], &blind.forces[s], sizeof(SlotForce)), 0);
 }
@@ -106,8 +107,8 @@ TEST(pair_contacts, stones_that_only_come_near_feel_nothing) {
   Pairs pairs;
   list_pairs(pairs, stones);
   ASSERT_EQ(pairs.slots(), 1);
-  for (const bool check : {true, false}) {
-    pairs.evaluate(stones, dt, check);
+  for (const double horizon : {ahead, 0.0}) {
+    pairs.evaluate(stones, dt, horizon);
     EXPECT_EQ(norm(pairs.forces[0].force), 0);
     EXPECT_EQ(pairs.touching(), 0);
     EXPECT_EQ(pairs.held(), 0);
@@ -119,11 +120,11 @@ TEST(pair_contacts, a_stretched_bond_pulls_although_the_shells_have_parted) {
   ParticleStore stones = pair_at(0.1e-3);
   Pairs pairs;
   list_pairs(pairs, stones);
-  pairs.evaluate(stones, dt, false);
+  pairs.evaluate(stones, dt);
   EXPECT_EQ(pairs.touching(), 1);
   EXPECT_EQ(pairs.held(), 1);
   stones.position[1].z = 5.1e-3;
-  pairs.evaluate(stones, dt, false);
+  pairs.evaluate(stones, dt);
   EXPECT_EQ(pairs.touching(), 0);
   EXPECT_EQ(pairs.held(), 1);
   const double towards_second = pairs.first(0) == 0 ? 1 : -1;
@@ -139,11 +140,11 @@ TEST(pair_contacts, rolling_without_slip_meets_no_resistance) {
   stones.spin[1] = {0, -40, 0};
   Pairs pairs;
   list_pairs(pairs, stones);
-  pairs.evaluate(stones, dt, false);
+  pairs.evaluate(stones, dt);
   EXPECT_NEAR(pairs.forces[0].force.x, 0, 1e-12);
   stones.spin[1] = {0, 0, 0};
   stones.velocity[1] = {40 * arm, 0, 0};
-  pairs.evaluate(stones, dt, false);
+  pairs.evaluate(stones, dt);
   EXPECT_NEAR(pairs.forces[0].force.x, 0, 1e-12);
 }
 
@@ -157,14 +158,14 @@ TEST(pair_contacts, the_most_limiting_contact_is_that_of_the_lighter_stone) {
   list.build({stones.position, stones.radius, stones.id}, 0.1e-3);
   pairs.law = {{3.8e10}, 8e9, 0.7};
   pairs.take(list);
-  const Extremes at = pairs.evaluate(stones, dt, true);
+  const Extremes at = pairs.evaluate(stones, dt, ahead);
   const double a = std::sqrt(8e-3 / 6 * 10e-6);
   EXPECT_NEAR(at.rate / (2 * 3.8e10 * a / (10 * stones.mass[0])), 1, 1e-9);
   EXPECT_NEAR(at.overlap, 10e-6 / 2e-3, 1e-12);
   stones.velocity[1] = {0, 0, -1};
-  const Extremes ahead = pairs.evaluate(stones, dt, true);
-  const double soon = std::sqrt(8e-3 / 6 * (10e-6 + check_interval * dt));
-  EXPECT_NEAR(ahead.rate / at.rate, soon / a, 1e-9);
+  const Extremes soon = pairs.evaluate(stones, dt, ahead);
+  const double a_soon = std::sqrt(8e-3 / 6 * (10e-6 + ahead));
+  EXPECT_NEAR(soon.rate / at.rate, a_soon / a, 1e-9);
 }
 
 }  // namespace

@@ -7,9 +7,12 @@
 #include <vector>
 
 #include "dem/random.h"
+#include "tests/physics/check.h"
 
 namespace dem {
 namespace {
+
+using checks::absolute, checks::check, checks::relative;
 
 // Of the paper: V_ref = (6.25 mm)^3.
 const Weibull granite = {386.5e6, 3.87, 244e-9};
@@ -62,7 +65,8 @@ TEST(strength, drawn_strengths_follow_the_weibull_curve) {
           -std::expm1(-volume * std::pow(values[k] / granite.scale, granite.exponent));
       distance = std::max({distance, share - k / double(draws), (k + 1) / double(draws) - share});
     }
-    EXPECT_LT(distance, 0.005);
+    check({"Kolmogorov distance of 1e5 strengths, radius / m", "1", distance, 0, absolute(0.005),
+           "Weibull (1939)", radius});
   }
 }
 
@@ -75,14 +79,17 @@ TEST(strength, the_median_force_grows_as_the_diameter_to_the_power_of_1_22) {
     large[k] = strength(granite, 5.6e-3, 1, draws + k) * 2.8e-3 * 2.8e-3;
   }
   const double slope = std::log(median(large) / median(small)) / std::log(5.6);
-  EXPECT_NEAR(slope, 1.22, 0.02);
+  check({"slope of the median force over the diameter, log-log", "1", slope, 1.22, absolute(0.02),
+         "closed form, 2 - 3/m"});
 }
 
 TEST(strength, the_median_force_is_that_of_the_closed_form) {
   // Closed form: F = sigma0 (V_ref / R^3 ln 2)^(1/m) R^2 of a stone on a wall, 1455 N at 2 mm and
   // 12,003 N at 11.2 mm; the median of 1e5 draws scatters by 0.1 %.
-  EXPECT_NEAR(median(strengths(1e-3, 1)) * 1e-3 * 1e-3 / 1455, 1, 0.005);
-  EXPECT_NEAR(median(strengths(5.6e-3, 1)) * 5.6e-3 * 5.6e-3 / 12003, 1, 0.005);
+  check({"median force of stones of 2 mm on a wall", "N", median(strengths(1e-3, 1)) * 1e-3 * 1e-3,
+         1455, relative(0.005), "closed form"});
+  check({"median force of stones of 11.2 mm on a wall", "N",
+         median(strengths(5.6e-3, 1)) * 5.6e-3 * 5.6e-3, 12003, relative(0.005), "closed form"});
 }
 
 TEST(strength, a_stone_has_one_strength_whatever_the_order_of_asking) {
