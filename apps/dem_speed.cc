@@ -23,7 +23,7 @@ namespace {
 struct Options {
   std::string bed, law;
   double cylinder_radius = 0;  // [m]; 0: as the bed says
-  double skin = 5e-5;          // [m]
+  double skin = 3e-5;          // [m]
   int threads = 1, steps = 0, warmup = 0;
   bool json = false;
 };
@@ -123,7 +123,7 @@ nlohmann::ordered_json time_steps(const apps::Bed<Law>& bed, const Options& opti
   for (int k = 0; k < std::max(options.steps / 4, 1); ++k) stages.step();
 
   const std::int64_t stones = std::ssize(bed.stones.id);
-  const std::int64_t pairs = simulation.pairs().touching();
+  const std::int64_t pairs = simulation.pairs().touching(simulation.stones());
   const std::int64_t at_walls = touching_walls(simulation.stones(), options.cylinder_radius);
   nlohmann::ordered_json result;
   result["law"] = options.law;

@@ -133,7 +133,7 @@ void FlowRun<Law>::press(Recorder& recorder, const std::string& folder, Progress
     uplift_ = dem::mean_of_highest(bed_.stones(), highest_points) - bed_height_;
     largest_pressure_ = std::max(largest_pressure_, pressure);
     lowest_uplift_ = std::min(lowest_uplift_, uplift_);
-    const double coordination = 2.0 * static_cast<double>(bed_.pairs().touching()) /
+    const double coordination = 2.0 * static_cast<double>(bed_.pairs().touching(bed_.stones())) /
                                 static_cast<double>(bed_.stones().size());
     recorder.append(std::array{bed_.time() - started_at_, displacement, force, pressure, uplift_,
                                static_cast<double>(bed_.cracks().size()),

@@ -207,7 +207,7 @@ std::vector<double> GyratoryRun<Law>::row() {
                                       face.angle * degree,
                                       static_cast<double>(bed_.cracks().size()),
                                       static_cast<double>(bed_.pairs().held()),
-                                      2.0 * static_cast<double>(bed_.pairs().touching()) /
+                                      2.0 * static_cast<double>(bed_.pairs().touching(bed_.stones())) /
                                           static_cast<double>(bed_.stones().size()),
                                       dem::kinetic_energy(bed_.stones()),
                                       means_.mould_push / span,

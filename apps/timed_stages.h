@@ -28,9 +28,9 @@ inline double seconds_since(std::chrono::steady_clock::time_point start) {
 template <class Law>
 class Stages {
  public:
-  enum Stage { motion, lists, pairs, gather, wall_contacts, fracture, stage_count };
+  enum Stage { motion, lists, pairs, loads, wall_contacts, fracture, stage_count };
   static constexpr std::array<const char*, stage_count> names = {
-      "motion", "lists", "pair contacts", "gather", "wall contacts", "fracture"};
+      "motion", "lists", "pair contacts", "loads", "wall contacts", "fracture"};
 
   Stages(Bed<Law> bed, double skin) : bed_(std::move(bed)), skin_(skin) {
     bed_.pair_law.set_time_step(bed_time_step);
@@ -52,7 +52,7 @@ class Stages {
     });
     if (2 * travel.farthest > skin_) timed(lists, [&] { make_lists(); });
     timed(pairs, [&] { pairs_.evaluate(bed_.stones, bed_time_step, horizon); });
-    timed(gather, [&] { dem::gather_forces(bed_.stones, list_, pairs_.forces, bed_gravity); });
+    timed(loads, [&] { pairs_.tallies.add_up(bed_.stones, bed_gravity, Law::breaks); });
     timed(wall_contacts, [&] {
       for (std::size_t w = 0; w < bed_.walls.size(); ++w)
         at_walls_[w].evaluate(bed_.stones, bed_.walls[w], bed_time_step, horizon);
@@ -74,21 +74,22 @@ class Stages {
 
   // Of a slot, in all arrays that hold one entry a slot [B].
   double bytes_per_slot() const {
-    const double lists = list_.first.size() * 4.0 * sizeof(std::uint32_t);  // and reverse, previous
+    const double lists = list_.first.size() * 3.0 * sizeof(std::uint32_t) +  // and previous
+                         list_.candidates.second.size() * sizeof(std::uint32_t);
     const double taken = pairs_.slots() * 2.0 * sizeof(std::int32_t);
-    return (lists + taken + pairs_.history.raw().size_bytes() +
-            pairs_.forces.size() * sizeof(dem::SlotForce)) /
+    return (lists + taken + pairs_.history.raw().size_bytes() + pairs_.tallies.bytes()) /
            static_cast<double>(pairs_.slots());
   }
 
   // Of a stone, everything included [B].
   double bytes_per_stone() const {
     const dem::ParticleStore& stones = bed_.stones;
-    const double numbers = stones.radius.size() + stones.mass.size() + stones.strength.size() +
-                           stones.softness.size() + stones.crush.size();
-    const double vectors = 6.0 * stones.size();  // five of the store, and the reference
+    const double numbers =
+        stones.radius.size() + stones.mass.size() + stones.strength.size() + stones.softness.size();
+    const double vectors = 4.0 * stones.size();  // three of the store, and the reference
     const double rows = 3.0 * stones.size() * sizeof(std::uint32_t);  // id and two row starts
     return (numbers * sizeof(double) + vectors * sizeof(dem::Vec3d) + rows +
+            stones.load.size() * sizeof(dem::Load) +
             bytes_per_slot() * static_cast<double>(pairs_.slots())) /
            static_cast<double>(stones.size());
   }

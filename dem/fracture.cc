@@ -8,13 +8,12 @@ void make_breakable(ParticleStore& stones, std::vector<double> strength_by_id) {
   stones.strength.resize(stones.size());
   for (std::size_t k = 0; k < stones.size(); ++k) stones.strength[k] = strength_by_id[stones.id[k]];
   stones.softness.assign(stones.size(), 1.0);
-  stones.crush.assign(stones.size(), 0.0);
 }
 
 std::vector<std::int32_t> overloaded(const ParticleStore& stones) {
   std::vector<std::int32_t> found;
   for (std::size_t k = 0; k < stones.size(); ++k)
-    if (stones.crush[k] > stones.strength[k] && stones.softness[k] == 1.0)
+    if (stones.load[k].crush > stones.strength[k] && stones.softness[k] == 1.0)
       found.push_back(static_cast<std::int32_t>(k));
   return found;
 }

@@ -18,8 +18,8 @@ Travel advance_stones(ParticleStore& stones, Steps steps, double drag,
     const double moment = 0.4 * inertia * stones.radius[i] * stones.radius[i];
     Vec3d& v = stones.velocity[i];
     Vec3d& w = stones.spin[i];
-    v = v * kept + stones.force[i] * (kick / inertia);
-    w = w * kept + stones.torque[i] * (kick / moment);
+    v = v * kept + stones.load[i].force * (kick / inertia);
+    w = w * kept + stones.load[i].torque * (kick / moment);
     stones.position[i] += v * dt;
     const Vec3d moved = stones.position[i] - reference[i];
     const double distance = dot(moved, moved);

@@ -7,6 +7,8 @@
 #include <map>
 #include <utility>
 
+#include "dem/groups.h"
+
 namespace dem {
 namespace {
 
@@ -58,86 +60,135 @@ std::size_t find_seconds(const Spheres& spheres, const std::vector<Level>& level
   return end;
 }
 
-// The numbers 0, 1, ... of `keys` grouped by key: those of key k, rising, are
-// item[start[k]] to item[start[k + 1]].
-struct Groups {
-  std::vector<std::uint32_t> start, item;
-};
+constexpr std::int64_t rows_per_chunk = 128;  // searched by one thread in one go
+constexpr double stock = 8;                   // skin of the candidates / that of the list [-]
 
-Groups group_by(std::span<const std::uint32_t> keys, std::size_t key_count) {
-  Groups groups{std::vector<std::uint32_t>(key_count + 1, 0),
-                std::vector<std::uint32_t>(keys.size())};
-  for (const std::uint32_t key : keys) ++groups.start[key];
-  for (std::size_t k = 1; k <= key_count; ++k) groups.start[k] += groups.start[k - 1];
-  for (std::size_t n = keys.size(); n-- > 0;) {
-    groups.item[--groups.start[keys[n]]] = static_cast<std::uint32_t>(n);
+// Calls row(i, chunk) for all rows, those of a chunk in order; chunks side by side.
+template <class Chunk, class Row>
+std::vector<Chunk> in_chunks(std::int64_t rows, Row row) {
+  std::vector<Chunk> chunks((rows + rows_per_chunk - 1) / rows_per_chunk);
+#pragma omp parallel for schedule(dynamic)
+  for (std::int64_t c = 0; c < std::ssize(chunks); ++c) {
+    const std::int64_t end = std::min(rows, (c + 1) * rows_per_chunk);
+    for (std::int64_t i = c * rows_per_chunk; i < end; ++i) row(i, chunks[c]);
   }
-  return groups;
+  return chunks;
 }
 
-constexpr std::int64_t rows_per_chunk = 128;  // searched by one thread in one go
+void add_up(std::vector<std::uint32_t>& row_start) {
+  for (std::size_t i = 1; i < row_start.size(); ++i) row_start[i] += row_start[i - 1];
+  assert(row_start.back() <= std::uint32_t(std::numeric_limits<std::int32_t>::max()));
+}
 
 }  // namespace
 
+void Candidates::search(const Spheres& spheres, double wide_skin) {
+  skin = wide_skin;
+  position.assign(spheres.position.begin(), spheres.position.end());
+  radius.assign(spheres.radius.begin(), spheres.radius.end());
+  id.assign(spheres.id.begin(), spheres.id.end());
+  const std::vector<Level> levels = sort_into_levels(spheres, skin);
+  const std::int64_t count = std::ssize(spheres.position);
+  row_start.assign(count + 1, 0);
+  struct Chunk {
+    std::vector<std::uint32_t> seconds, found;
+  };
+  const auto chunks = in_chunks<Chunk>(count, [&](std::int64_t i, Chunk& chunk) {
+    const std::size_t near = find_seconds(spheres, levels, skin, i, chunk.found);
+    std::sort(chunk.found.begin(), chunk.found.begin() + near);
+    chunk.seconds.insert(chunk.seconds.end(), chunk.found.begin(), chunk.found.begin() + near);
+    row_start[i + 1] = static_cast<std::uint32_t>(near);
+  });
+  add_up(row_start);
+  second.clear();
+  second.reserve(row_start.back());
+  for (const Chunk& chunk : chunks)
+    second.insert(second.end(), chunk.seconds.begin(), chunk.seconds.end());
+}
+
+bool Candidates::cover(const Spheres& spheres, double wanted) const {
+  if (!std::ranges::equal(spheres.id, id) || !std::ranges::equal(spheres.radius, radius))
+    return false;
+  double farthest = 0;  // squared
+  for (std::size_t k = 0; k < position.size(); ++k) {
+    const Vec3d moved = spheres.position[k] - position[k];
+    farthest = std::max(farthest, dot(moved, moved));
+  }
+  return wanted + 2 * std::sqrt(farthest) <= skin;
+}
+
 void NeighborList::build(const Spheres& spheres, double skin, std::span<const StonePair> keep,
                          std::span<const std::uint32_t> old_index) {
-  const std::int64_t count = static_cast<std::int64_t>(spheres.position.size());
+  const std::int64_t count = std::ssize(spheres.position);
   assert(spheres.radius.size() == spheres.position.size());
   assert(spheres.id.size() == spheres.position.size());
   assert(old_index.empty() || old_index.size() == spheres.position.size());
 
-  const NeighborList old = std::move(*this);
+  NeighborList old = std::move(*this);
+  candidates = std::move(old.candidates);
+  if (!candidates.cover(spheres, skin)) candidates.search(spheres, stock * skin);
+
   std::vector<std::uint32_t> kept_first;
   for (const StonePair& pair : keep) kept_first.push_back(pair.first);
   const Groups kept = group_by(kept_first, count);
-  const std::vector<Level> levels = sort_into_levels(spheres, skin);
-
-  // Of each chunk, the seconds of one row after the other.
-  std::vector<std::vector<std::uint32_t>> chunks((count + rows_per_chunk - 1) / rows_per_chunk);
   row_start.assign(count + 1, 0);
-#pragma omp parallel for schedule(dynamic)
-  for (std::int64_t c = 0; c < std::ssize(chunks); ++c) {
-    std::vector<std::uint32_t>& seconds = chunks[c];
-    std::vector<std::uint32_t> found;
-    const std::int64_t end = std::min(count, (c + 1) * rows_per_chunk);
-    for (std::int64_t i = c * rows_per_chunk; i < end; ++i) {
-      const auto row = std::ssize(seconds);
-      const std::size_t near = find_seconds(spheres, levels, skin, i, found);
-      seconds.insert(seconds.end(), found.begin(), found.begin() + near);
-      for (std::uint32_t k = kept.start[i]; k < kept.start[i + 1]; ++k) {
-        const std::uint32_t j = keep[kept.item[k]].second;
-        assert(comes_first(spheres.radius[i], spheres.id[i], spheres.radius[j], spheres.id[j]));
-        seconds.push_back(j);
-      }
-      std::sort(seconds.begin() + row, seconds.end());
-      seconds.erase(std::unique(seconds.begin() + row, seconds.end()), seconds.end());
-      row_start[i + 1] = static_cast<std::uint32_t>(std::ssize(seconds) - row);
-    }
-  }
-  for (std::int64_t i = 0; i < count; ++i) row_start[i + 1] += row_start[i];
-  assert(row_start.back() <= std::uint32_t(std::numeric_limits<std::int32_t>::max()));
+  const auto chunks = in_chunks<std::vector<std::uint32_t>>(
+      count, [&](std::int64_t i, std::vector<std::uint32_t>& seconds) {
+        const std::size_t begin = seconds.size();
+        std::size_t end = begin;
+        seconds.resize(begin + candidates.row_start[i + 1] - candidates.row_start[i]);
+        for (std::uint32_t k = candidates.row_start[i]; k < candidates.row_start[i + 1]; ++k) {
+          const std::uint32_t j = candidates.second[k];
+          const Vec3d apart = spheres.position[i] - spheres.position[j];
+          const double reach = spheres.radius[i] + spheres.radius[j] + skin;
+          // Every candidate is written, and only a hit moves the end: a branch is guessed wrong.
+          seconds[end] = j;
+          end += dot(apart, apart) < reach * reach;
+        }
+        seconds.resize(end);
+        if (kept.start[i] < kept.start[i + 1]) {
+          for (std::uint32_t k = kept.start[i]; k < kept.start[i + 1]; ++k) {
+            const std::uint32_t j = keep[kept.item[k]].second;
+            assert(comes_first(spheres.radius[i], spheres.id[i], spheres.radius[j], spheres.id[j]));
+            seconds.push_back(j);
+          }
+          std::sort(seconds.begin() + begin, seconds.end());
+          seconds.erase(std::unique(seconds.begin() + begin, seconds.end()), seconds.end());
+        }
+        row_start[i + 1] = static_cast<std::uint32_t>(seconds.size() - begin);
+      });
+  add_up(row_start);
 
   first.resize(row_start.back());
   second.resize(row_start.back());
   previous.resize(row_start.back());
-  const auto was = [&](std::uint32_t place) {
-    return old_index.empty() ? place : old_index[place];
-  };
 #pragma omp parallel for schedule(static)
   for (std::int64_t c = 0; c < std::ssize(chunks); ++c) {
     const std::int64_t begin = c * rows_per_chunk, end = std::min(count, begin + rows_per_chunk);
     std::ranges::copy(chunks[c], second.begin() + row_start[begin]);
     for (std::int64_t i = begin; i < end; ++i) {
-      for (std::uint32_t slot = row_start[i]; slot < row_start[i + 1]; ++slot) {
-        first[slot] = static_cast<std::uint32_t>(i);
-        previous[slot] = old.slot_of(was(i), was(second[slot]));
-      }
+      std::fill(first.begin() + row_start[i], first.begin() + row_start[i + 1],
+                static_cast<std::uint32_t>(i));
+      find_previous(i, old, old_index);
     }
   }
+}
 
-  Groups reverse = group_by(second, count);
-  reverse_start = std::move(reverse.start);
-  reverse_slot = std::move(reverse.item);
+void NeighborList::find_previous(std::uint32_t i, const NeighborList& old,
+                                 std::span<const std::uint32_t> old_index) {
+  if (!old_index.empty()) {
+    for (std::uint32_t slot = row_start[i]; slot < row_start[i + 1]; ++slot)
+      previous[slot] = old.slot_of(old_index[i], old_index[second[slot]]);
+    return;
+  }
+  const bool listed = i + 1 < old.row_start.size();
+  std::uint32_t at = listed ? old.row_start[i] : 0;
+  const std::uint32_t end = listed ? old.row_start[i + 1] : 0;
+  for (std::uint32_t slot = row_start[i]; slot < row_start[i + 1]; ++slot) {
+    while (at < end && old.second[at] < second[slot]) ++at;
+    previous[slot] =
+        at < end && old.second[at] == second[slot] ? static_cast<std::int32_t>(at) : -1;
+  }
 }
 
 std::int32_t NeighborList::slot_of(std::uint32_t i, std::uint32_t j) const {

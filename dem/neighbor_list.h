@@ -4,9 +4,11 @@
 // and the ids of the two (see `comes_first`), never on where the store holds them. So a slot keeps
 // its orientation, and with it the sign of its history, over every rebuild and reordering.
 //
-// The search is by levels of radius (after Ogarko, Luding (2012)): each level spans a factor of two
-// and has a grid of its own, and a stone looks for partners in its own and the coarser levels, so
-// that small stones do not pay for large ones.
+// Most builds only sift a stock of candidates, pairs closer than a much wider skin. The stock is
+// searched anew when stones have moved too far or were reordered, by levels of radius (after
+// Ogarko, Luding (2012)): each level spans a factor of two and has a grid of its own, and a stone
+// looks for partners in its own and the coarser levels, so that small stones do not pay for large
+// ones.
 #pragma once
 
 #include <cmath>
@@ -29,6 +31,20 @@ inline bool comes_first(double r, std::uint32_t id, double other_r, std::uint32_
   return level != other_level ? level < other_level : id < other_id;
 }
 
+// Pairs closer than `skin` [m] when the stones were at `position`: row i, rising, is
+// second[row_start[i]] to second[row_start[i + 1]].
+struct Candidates {
+  double skin = 0;
+  std::vector<Vec3d> position;  // [m]
+  std::vector<double> radius;   // [m]
+  std::vector<std::uint32_t> id;
+  std::vector<std::uint32_t> row_start, second;
+
+  void search(const Spheres& spheres, double wide_skin);
+  // Whether every pair that is closer than `wanted` [m] now is among them.
+  bool cover(const Spheres& spheres, double wanted) const;
+};
+
 struct NeighborList {
   // All arrays are written by build() alone, and are the same for any number of threads.
   // Row i, the slots row_start[i] to row_start[i + 1], holds the pairs of which i is the first.
@@ -36,10 +52,6 @@ struct NeighborList {
   std::vector<std::uint32_t> first;    // place of the first stone of each slot
   std::vector<std::uint32_t> second;   // place of the second, rising within a row
   std::vector<std::int32_t> previous;  // slot of the same pair before the build, or -1
-  // reverse_slot[reverse_start[j]] to reverse_slot[reverse_start[j + 1]] are the slots of which j
-  // is the second stone, rising.
-  std::vector<std::uint32_t> reverse_start;
-  std::vector<std::uint32_t> reverse_slot;
 
   // Lists every pair whose spheres are less than `skin` [m] apart, and the pairs to `keep`, however
   // far apart; those must be oriented (see comes_first). If the store was reordered since the last
@@ -49,6 +61,13 @@ struct NeighborList {
 
   // The slot of the pair (i, j), i coming first; -1 if it is not listed.
   std::int32_t slot_of(std::uint32_t i, std::uint32_t j) const;
+
+  Candidates candidates;
+
+ private:
+  // Writes `previous` of row i.
+  void find_previous(std::uint32_t i, const NeighborList& old,
+                     std::span<const std::uint32_t> old_index);
 };
 
 }  // namespace dem

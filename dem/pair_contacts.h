@@ -1,28 +1,22 @@
-// The contact stage: one force per slot of the neighbour list.
+// The contact stage: forces of all slots of the neighbour list, added up by stone.
 //
 // Every slot is evaluated by the same text, eight at a time (T = Pack) or one at a time (T =
-// double, the slow and obvious reference). Slots do not see each other, so threads and their number
-// do not matter.
+// double, the slow and obvious reference).
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "dem/contact_history.h"
 #include "dem/neighbor_list.h"
 #include "dem/particle_store.h"
+#include "dem/records.h"
 #include "dem/slot_force.h"
+#include "dem/tallies.h"
 
 namespace dem {
-
-// Three consecutive doubles of each indexed Vec3d.
-template <class T>
-Vec3<T> gather(const std::vector<Vec3d>& vectors, const std::int32_t* index) {
-  const double* base = &vectors.front().x;
-  return {gather<T>(base, index, 3), gather<T>(base + 1, index, 3), gather<T>(base + 2, index, 3)};
-}
 
 // Steps between two looks at stiffness, overlap and finiteness.
 inline constexpr int check_interval = 16;
@@ -32,7 +26,7 @@ class PairContacts {
  public:
   Law law;
   ContactHistory<Law> history;
-  std::vector<SlotForce> forces;  // one per slot (padded), written by evaluate()
+  Tallies tallies;  // of the stones' loads, written by evaluate()
 
   // Takes over a rebuilt list, old memories included.
   void take(const NeighborList& list) {
@@ -43,7 +37,7 @@ class PairContacts {
     second_.assign(padded, 0);
     std::copy(list.first.begin(), list.first.end(), first_.begin());
     std::copy(list.second.begin(), list.second.end(), second_.begin());
-    forces.assign(padded, SlotForce{});
+    tallies.take(first_, second_, list.row_start.size() - 1);
     slots_ = static_cast<std::int64_t>(slots);
   }
 
@@ -51,94 +45,92 @@ class PairContacts {
   // the extreme contacts until then too.
   template <class T = Pack>
   Extremes evaluate(const ParticleStore& stones, double dt, double horizon = 0) {
-    Extremes found;
-#pragma omp parallel if (slots_ > 64)
-    {
-      Extremes mine;
-#pragma omp for schedule(static) nowait
-      for (std::int64_t s = 0; s < slots_; s += width<T>) {
-        if (horizon > 0)
-          evaluate_at<T, true>(stones, dt, horizon, s, mine);
-        else
-          evaluate_at<T, false>(stones, dt, 0, s, mine);
-      }
-      if (horizon > 0) {
-#pragma omp critical
-        found.merge(mine);
-      }
-    }
-    return found;
+    return horizon > 0 ? evaluate_blocks<T, true>(stones, dt, horizon)
+                       : evaluate_blocks<T, false>(stones, dt, 0);
   }
 
-  std::int64_t slots() const {
-    return slots_;
-  }
-  std::int64_t touching() const;  // slots whose outer surfaces overlap
-  std::int64_t held() const;      // slots whose contact would outlive a gap: bonds
-  std::int32_t first(std::int64_t slot) const {
-    return first_[slot];
-  }
-  std::int32_t second(std::int64_t slot) const {
-    return second_[slot];
-  }
+  // What evaluate() found at each slot, found once more: for those who look on.
+  std::vector<SlotForce> forces(const ParticleStore& stones) const;
+
+  std::int64_t slots() const { return slots_; }
+  bool touches(const ParticleStore& stones, std::int64_t slot) const;  // outer surfaces overlap
+  std::int64_t touching(const ParticleStore& stones) const;
+  std::int64_t held() const;  // slots whose contact would outlive a gap: bonds
+  std::int32_t first(std::int64_t slot) const { return first_[slot]; }
+  std::int32_t second(std::int64_t slot) const { return second_[slot]; }
 
  private:
+  template <class T>
+  struct Meeting {
+    Contact<T> contact;
+    T arm_i, arm_j;      // from the centres to the middle of the overlap [m]
+    T lighter, smaller;  // true mass [kg] and radius of the bare stone [m]
+  };
+
+  template <class T, bool check>
+  Extremes evaluate_blocks(const ParticleStore& stones, double dt, double horizon);
   template <class T, bool check>
   void evaluate_at(const ParticleStore& stones, double dt, double horizon, std::int64_t slot,
-                   Extremes& extremes);
+                   Tallies::Batch& batch, int in_batch, LaneExtremes<T>& extremes);
+  template <class T>
+  Meeting<T> meet(const ParticleStore& stones, double dt, std::int64_t slot) const;
 
   std::vector<std::int32_t> first_, second_;
   std::int64_t slots_ = 0;
 };
 
 template <ContactLaw Law>
-std::int64_t PairContacts<Law>::touching() const {
-  return std::count_if(forces.begin(), forces.begin() + slots_,
-                       [](const SlotForce& slot) { return slot.half_overlap > 0; });
-}
-
-template <ContactLaw Law>
-std::int64_t PairContacts<Law>::held() const {
-  std::int64_t count = 0;
-  for (std::int64_t s = 0; s < slots_; ++s) count += history.holds(s);
-  return count;
-}
-
-template <ContactLaw Law>
 template <class T, bool check>
-void PairContacts<Law>::evaluate_at(const ParticleStore& stones, double dt, double horizon,
-                                    std::int64_t slot, Extremes& extremes) {
-  using std::sqrt;
+Extremes PairContacts<Law>::evaluate_blocks(const ParticleStore& stones, double dt,
+                                            double horizon) {
+  Extremes found;
+#pragma omp parallel if (tallies.blocks() > 1)
+  {
+    LaneExtremes<T> mine;
+    Tallies::Batch batch;
+#pragma omp for schedule(static) nowait
+    for (std::int64_t block = 0; block < tallies.blocks(); ++block) {
+      tallies.clear(block);
+      const std::int64_t begin = block * Tallies::slots_per_block;
+      const std::int64_t end = std::min(slots_, begin + Tallies::slots_per_block);
+      for (std::int64_t s = begin; s < end; s += Tallies::Batch::slots) {
+        const int count = static_cast<int>(std::min<std::int64_t>(end - s, Tallies::Batch::slots));
+        for (int k = 0; k < count; k += width<T>)
+          evaluate_at<T, check>(stones, dt, horizon, s + k, batch, k, mine);
+        tallies.template add<Law::breaks>(s, count, batch);
+      }
+    }
+    if constexpr (check) {
+#pragma omp critical
+      found.merge(mine);
+    }
+  }
+  return found;
+}
+
+// Two stones at the places and with the velocities that the last step left.
+template <ContactLaw Law>
+template <class T>
+auto PairContacts<Law>::meet(const ParticleStore& stones, double dt, std::int64_t slot) const
+    -> Meeting<T> {
   const std::int32_t* i = &first_[slot];
   const std::int32_t* j = &second_[slot];
-  SlotForce* out = &forces[slot];
-
   const Vec3<T> apart = gather<T>(stones.position, i) - gather<T>(stones.position, j);
+  const Vec3<T> rate = gather<T>(stones.velocity, i) - gather<T>(stones.velocity, j);
+  const Vec3<T> spin_i = gather<T>(stones.spin, i), spin_j = gather<T>(stones.spin, j);
   const T stone_i = gather<T>(stones.radius.data(), i, 1);
   const T stone_j = gather<T>(stones.radius.data(), j, 1);
+  const T mass_i = gather<T>(stones.mass.data(), i, 1);
+  const T mass_j = gather<T>(stones.mass.data(), j, 1);
   const T radius_i = stone_i + T(stones.shell), radius_j = stone_j + T(stones.shell);
-  const T distance = sqrt(dot(apart, apart));
-  const T overlap = radius_i + radius_j - distance;
+  const T square = larger(dot(apart, apart), T(1e-300));
+  const T inverse = reciprocal_root(square);
 
-  MemoryOf<Law, T> memory(history, slot);
-  const auto listed = lanes_below<T>(slots_ - slot);
-  const auto alive = listed & ((overlap > T(0.0)) | Law::template holds<T>(memory.value));
-  if (!check && !any(alive)) {
-    for (int k = 0; k < width<T>; ++k) out[k] = SlotForce{};
-    return;
-  }
-
-  const T inverse = T(1.0) / larger(distance, T(1e-300));
-  const Vec3<T> spin_i = gather<T>(stones.spin, i), spin_j = gather<T>(stones.spin, j);
-  const Vec3<T> rate = gather<T>(stones.velocity, i) - gather<T>(stones.velocity, j);
-  const T half = T(0.5) * overlap;
-
-  Contact<T> contact;
-  contact.overlap = overlap;
+  Meeting<T> pair;
+  Contact<T>& contact = pair.contact;
+  contact.overlap = radius_i + radius_j - square * inverse;
   contact.outer_radius = radius_i * radius_j / (radius_i + radius_j);
   contact.stone_radius = stone_i * stone_j / (stone_i + stone_j);
-  const T mass_i = gather<T>(stones.mass.data(), i, 1),
-          mass_j = gather<T>(stones.mass.data(), j, 1);
   contact.mass = T(stones.inertia_scale) * mass_i * mass_j / (mass_i + mass_j);
   contact.softness = T(1.0);
   if constexpr (Law::breaks)
@@ -147,40 +139,92 @@ void PairContacts<Law>::evaluate_at(const ParticleStore& stones, double dt, doub
   contact.normal = apart * inverse;
   const Vec3<T>& normal = contact.normal;
   contact.closing = -dot(rate, normal);
+  pair.arm_i = radius_i - T(0.5) * contact.overlap;
+  pair.arm_j = radius_j - T(0.5) * contact.overlap;
   // Velocities are of the middle of the step: so is the normal that spins are taken about.
   const Vec3<T> middle = normal - (rate + normal * contact.closing) * (T(0.5 * dt) * inverse);
-  const Vec3<T> surface =
-      rate - cross((radius_i - half) * spin_i + (radius_j - half) * spin_j, middle);
+  const Vec3<T> surface = rate - cross(pair.arm_i * spin_i + pair.arm_j * spin_j, middle);
   contact.sliding = (surface - normal * dot(surface, normal)) * T(dt);
   contact.turn =
       (cross(normal, rate) * inverse + normal * (T(0.5) * dot(spin_i + spin_j, normal))) * T(dt);
-  contact.horizon = T(horizon);
+  contact.horizon = T(0.0);
+  pair.lighter = smaller(mass_i, mass_j);
+  pair.smaller = smaller(stone_i, stone_j);
+  return pair;
+}
+
+template <ContactLaw Law>
+template <class T, bool check>
+[[gnu::flatten]] void PairContacts<Law>::evaluate_at(const ParticleStore& stones, double dt,
+                                                     double horizon, std::int64_t slot,
+                                                     Tallies::Batch& batch, int in_batch,
+                                                     LaneExtremes<T>& extremes) {
+  MemoryOf<Law, T> memory(history, slot);
+  Meeting<T> pair = meet<T>(stones, dt, slot);
+  Contact<T>& contact = pair.contact;
+  const auto listed = lanes_below<T>(slots_ - slot);
+  const auto alive = listed & ((contact.overlap > T(0.0)) | Law::template holds<T>(memory.value));
+  if constexpr (check) contact.horizon = T(horizon);
 
   const Response<T> response = law(contact, memory.value);
   forget<T>(!alive, memory.value);
   memory.keep(history, slot);
 
   const T zero(0.0);
-  const Vec3<T> force =
-      select(alive, normal * response.push + response.shear, Vec3<T>{zero, zero, zero});
-  const Vec3<T> moment = select(alive, cross(response.shear, normal), Vec3<T>{zero, zero, zero});
+  const Vec3<T> none = {zero, zero, zero};
+  const Vec3<T> force = select(alive, contact.normal * response.push + response.shear, none);
+  const Vec3<T> moment = select(alive, cross(response.shear, contact.normal), none);
   T crush = zero;
   if constexpr (Law::breaks)
     crush = select(alive, response.stone / (contact.stone_radius * contact.stone_radius), zero);
-  for (int k = 0; k < width<T>; ++k)
-    out[k] = {{lane(force.x, k), lane(force.y, k), lane(force.z, k)},
-              lane(half, k),
-              {lane(moment.x, k), lane(moment.y, k), lane(moment.z, k)},
-              lane(crush, k)};
+  batch.put<T>(in_batch, {force, zero, moment * pair.arm_i, crush},
+               {-force, zero, moment * pair.arm_j, crush});
 
   if constexpr (check) {
-    const T stiffest = select(
-        listed, response.stiffness / (T(stones.inertia_scale) * smaller(mass_i, mass_j)), zero);
-    const T deepest =
-        select(alive, (overlap - T(2.0 * stones.shell)) / smaller(stone_i, stone_j), zero);
-    for (int k = 0; k < width<T>; ++k)
-      extremes.merge({lane(stiffest, k), slot + k, lane(deepest, k), slot + k});
+    const T inertia = T(stones.inertia_scale) * pair.lighter;
+    const T deep = (contact.overlap - T(2.0 * stones.shell)) / pair.smaller;
+    extremes.look(slot, select(listed, response.stiffness / inertia, zero),
+                  select(alive, deep, zero));
   }
+}
+
+template <ContactLaw Law>
+std::vector<SlotForce> PairContacts<Law>::forces(const ParticleStore& stones) const {
+  Law still = law;
+  still.set_time_step(0);
+  std::vector<SlotForce> forces(slots_, SlotForce{});
+  for (std::int64_t s = 0; s < slots_; ++s) {
+    const Contact<double> contact = meet<double>(stones, 0, s).contact;
+    auto memory = history.slot(s);
+    if (contact.overlap <= 0 && !Law::template holds<double>(memory)) continue;
+    const Response<double> response = still(contact, memory);
+    forces[s] = {contact.normal * response.push + response.shear, contact.overlap / 2,
+                 cross(response.shear, contact.normal), 0};
+    if constexpr (Law::breaks)
+      forces[s].crush = response.stone / (contact.stone_radius * contact.stone_radius);
+  }
+  return forces;
+}
+
+template <ContactLaw Law>
+bool PairContacts<Law>::touches(const ParticleStore& stones, std::int64_t slot) const {
+  const std::int32_t i = first_[slot], j = second_[slot];
+  return norm(stones.position[i] - stones.position[j]) <
+         stones.outer_radius(i) + stones.outer_radius(j);
+}
+
+template <ContactLaw Law>
+std::int64_t PairContacts<Law>::touching(const ParticleStore& stones) const {
+  std::int64_t count = 0;
+  for (std::int64_t s = 0; s < slots_; ++s) count += touches(stones, s);
+  return count;
+}
+
+template <ContactLaw Law>
+std::int64_t PairContacts<Law>::held() const {
+  std::int64_t count = 0;
+  for (std::int64_t s = 0; s < slots_; ++s) count += history.holds(s);
+  return count;
 }
 
 }  // namespace dem

@@ -19,8 +19,7 @@ ParticleStore make_stones(std::vector<Vec3d> position, std::vector<double> radiu
   stones.position = std::move(position);
   stones.velocity.assign(count, Vec3d{});
   stones.spin.assign(count, Vec3d{});
-  stones.force.assign(count, Vec3d{});
-  stones.torque.assign(count, Vec3d{});
+  stones.load.assign(count, Load{});
   return stones;
 }
 
@@ -38,10 +37,8 @@ void reorder(ParticleStore& stones, const std::vector<std::uint32_t>& order) {
   permute(stones.position);
   permute(stones.velocity);
   permute(stones.spin);
-  permute(stones.force);
-  permute(stones.torque);
+  permute(stones.load);
   permute(stones.softness);
-  permute(stones.crush);
 }
 
 }  // namespace dem

@@ -9,6 +9,16 @@
 
 namespace dem {
 
+// What acts on a stone, or on T of them: a line of the cache, which is added up as a whole.
+template <class T>
+struct LoadOf {
+  Vec3<T> force;   // [N]
+  T spare;         // always 0
+  Vec3<T> torque;  // [N m]
+  T crush;         // largest F / R0^2 of its stone contacts [Pa]; kept where stones may break
+};
+struct alignas(64) Load : LoadOf<double> {};
+
 struct ParticleStore {
   double shell = 0;          // thickness of the binder shell, the same for all stones [m]
   double inertia_scale = 1;  // inertia / true inertia; weight stays true [-]
@@ -25,13 +35,10 @@ struct ParticleStore {
   std::vector<Vec3d> spin;      // angular velocity [rad/s]
 
   // Written by the gather stage, then added to by the wall stage.
-  std::vector<Vec3d> force;   // [N]
-  std::vector<Vec3d> torque;  // [N m]
+  std::vector<Load> load;
 
   // Written by the fracture stage; empty when stones do not break.
   std::vector<double> softness;  // stone compliance / that of the whole stone, >= 1 [-]
-  std::vector<double>
-      crush;  // largest F / R0^2 of its stone contacts [Pa], written by gather and walls
 
   std::size_t size() const { return id.size(); }
   double outer_radius(std::size_t i) const { return radius[i] + shell; }

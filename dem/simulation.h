@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "dem/fracture.h"
-#include "dem/gather.h"
 #include "dem/integrator.h"
 #include "dem/neighbor_list.h"
 #include "dem/pair_contacts.h"
@@ -72,7 +71,7 @@ class Simulation {
   void find_forces(double dt, bool check);
   void break_stones();
   void soften_stones();
-  std::vector<StoneLoad> loads_on(std::size_t place) const;
+  std::vector<std::vector<StoneLoad>> loads_on(const std::vector<std::int32_t>& places) const;
   void inspect(const Extremes& pair, const std::vector<Extremes>& walls);
   void set_time_step(double dt);  // of the laws, 0 for a jump [s]
 
@@ -121,7 +120,7 @@ template <ContactLaw Law>
 void Simulation<Law>::find_forces(double dt, bool check) {
   const double horizon = check ? check_interval * clock_.step() : 0;
   const Extremes pair = pairs_.evaluate(stones_, dt, horizon);
-  gather_forces(stones_, list_, pairs_.forces, settings_.gravity);
+  pairs_.tallies.add_up(stones_, settings_.gravity, Law::breaks);
   std::vector<Extremes> at_walls;
   for (std::size_t w = 0; w < walls_.size(); ++w)
     at_walls.push_back(wall_contacts_[w].evaluate(stones_, walls_[w], dt, horizon));
@@ -223,7 +222,7 @@ template <ContactLaw Law>
 std::vector<int> Simulation<Law>::coordination() const {
   std::vector<int> touching(stones_.size(), 0);
   for (std::int64_t s = 0; s < pairs_.slots(); ++s) {
-    if (pairs_.forces[s].half_overlap <= 0) continue;
+    if (!pairs_.touches(stones_, s)) continue;
     ++touching[pairs_.first(s)];
     ++touching[pairs_.second(s)];
   }
@@ -232,45 +231,57 @@ std::vector<int> Simulation<Law>::coordination() const {
 
 template <ContactLaw Law>
 void Simulation<Law>::break_stones() {
-  for (const std::int32_t place : overloaded(stones_)) {
-    cracks_.push_back(crack_of(stones_.id[place], time_, loads_on(place)));
-    stones_.softness[place] = std::nextafter(1.0, 2.0);  // cracked; soften_stones goes on from here
+  const std::vector<std::int32_t> places = overloaded(stones_);
+  if (places.empty()) return;
+  const auto loads = loads_on(places);
+  for (std::size_t n = 0; n < places.size(); ++n) {
+    cracks_.push_back(crack_of(stones_.id[places[n]], time_, loads[n]));
+    // Cracked; soften_stones goes on from here.
+    stones_.softness[places[n]] = std::nextafter(1.0, 2.0);
   }
 }
 
 template <ContactLaw Law>
 void Simulation<Law>::soften_stones() {
   if (cracks_.empty()) return;
-  std::vector<std::int32_t> place(stones_.size());
+  std::vector<std::int32_t> place(stones_.size()), cracked;
   for (std::size_t k = 0; k < place.size(); ++k)
     place[stones_.id[k]] = static_cast<std::int32_t>(k);
-  for (Crack& crack : cracks_) {
-    const std::int32_t k = place[crack.stone];
+  for (const Crack& crack : cracks_) cracked.push_back(place[crack.stone]);
+  const auto loads = loads_on(cracked);
+  for (std::size_t n = 0; n < cracks_.size(); ++n) {
+    Crack& crack = cracks_[n];
+    const std::int32_t k = cracked[n];
     const Vec3d turned = crack.direction +
                          cross(stones_.spin[k], crack.direction) * (check_interval * clock_.step());
     crack.direction = turned * (1 / norm(turned));
     const double share = 1 / stones_.softness[k];
-    const double target = stiffness_share(settings_.fracture, crack, loads_on(k));
+    const double target = stiffness_share(settings_.fracture, crack, loads[n]);
     stones_.softness[k] = 1 / (share + settings_.fracture.lag * (target - share));
   }
 }
 
+// The stone contact forces on each of the stones at `places`.
 template <ContactLaw Law>
-std::vector<StoneLoad> Simulation<Law>::loads_on(std::size_t place) const {
-  std::vector<StoneLoad> loads;
-  const auto add_pair = [&](std::uint32_t s) {
-    const double crush = pairs_.forces[s].crush;
-    if (crush <= 0) return;
-    const auto i = pairs_.first(s), j = pairs_.second(s);
+std::vector<std::vector<StoneLoad>> Simulation<Law>::loads_on(
+    const std::vector<std::int32_t>& places) const {
+  std::vector<std::vector<StoneLoad>> loads(places.size());
+  std::vector<std::int32_t> asked(stones_.size(), -1);
+  for (std::size_t n = 0; n < places.size(); ++n) asked[places[n]] = static_cast<std::int32_t>(n);
+  const std::vector<SlotForce> forces = pairs_.forces(stones_);
+  for (std::size_t s = 0; s < forces.size(); ++s) {
+    const double crush = forces[s].crush;
+    const std::int32_t i = pairs_.first(s), j = pairs_.second(s);
+    if (crush <= 0 || (asked[i] < 0 && asked[j] < 0)) continue;
     const Vec3d apart = stones_.position[i] - stones_.position[j];
     const double radius =
         stones_.radius[i] * stones_.radius[j] / (stones_.radius[i] + stones_.radius[j]);
-    loads.push_back({apart * (1 / norm(apart)), crush * radius * radius, crush});
-  };
-  for (auto s = list_.row_start[place]; s < list_.row_start[place + 1]; ++s) add_pair(s);
-  for (auto k = list_.reverse_start[place]; k < list_.reverse_start[place + 1]; ++k)
-    add_pair(list_.reverse_slot[k]);
-  for (const auto& contacts : wall_contacts_) contacts.add_load(stones_, place, loads);
+    const StoneLoad load = {apart * (1 / norm(apart)), crush * radius * radius, crush};
+    for (const std::int32_t k : {i, j})
+      if (asked[k] >= 0) loads[asked[k]].push_back(load);
+  }
+  for (std::size_t n = 0; n < places.size(); ++n)
+    for (const auto& contacts : wall_contacts_) contacts.add_load(stones_, places[n], loads[n]);
   return loads;
 }
 

@@ -8,14 +8,16 @@
 
 namespace dem {
 
-// Written by the contact stage, read by the gather stage. The torque on either body is its arm
-// (outer radius - half_overlap) times `moment`.
-struct alignas(64) SlotForce {
+// The torque on either body is its arm (outer radius - half_overlap) times `moment`.
+struct SlotForce {
   Vec3d force;          // on the first body [N]
   double half_overlap;  // h/2 [m]
   Vec3d moment;         // shear x normal [N]
   double crush;         // F / R0^2 of the stone contact [Pa]; 0 if the law does not break stones
 };
+
+template <class T>
+struct LaneExtremes;
 
 // The extreme contacts of one list, found while their forces are evaluated.
 struct Extremes {
@@ -29,6 +31,8 @@ struct Extremes {
     keep(rate, rate_slot, other.rate, other.rate_slot);
     keep(overlap, overlap_slot, other.overlap, other.overlap_slot);
   }
+  template <class T>
+  void merge(const LaneExtremes<T>& lanes);
 
  private:
   static void keep(double& most, std::int64_t& slot, double value, std::int64_t at) {
@@ -37,5 +41,27 @@ struct Extremes {
     slot = at;
   }
 };
+
+// The same while T contacts are looked at at once, in rising order of their slots.
+template <class T>
+struct LaneExtremes {
+  T rate = T(0.0), rate_slot = T(-1.0), overlap = T(0.0), overlap_slot = T(-1.0);
+
+  // Of the slots from `slot` on.
+  void look(std::int64_t slot, T rates, T overlaps) {
+    const T number = T(static_cast<double>(slot)) + lane_numbers<T>();
+    rate_slot = select(rates > rate, number, rate_slot);
+    rate = larger(rates, rate);
+    overlap_slot = select(overlaps > overlap, number, overlap_slot);
+    overlap = larger(overlaps, overlap);
+  }
+};
+
+template <class T>
+void Extremes::merge(const LaneExtremes<T>& lanes) {
+  for (int k = 0; k < width<T>; ++k)
+    merge({lane(lanes.rate, k), static_cast<std::int64_t>(lane(lanes.rate_slot, k)),
+           lane(lanes.overlap, k), static_cast<std::int64_t>(lane(lanes.overlap_slot, k))});
+}
 
 }  // namespace dem

@@ -188,13 +188,13 @@ void WallContacts<Law>::evaluate_at(ParticleStore& particles, const Wall& wall, 
                  0};
     at.point = {lane(point.x, k), lane(point.y, k), lane(point.z, k)};
     at.push = lane(response.push, k);
-    const std::int32_t to = i[k];
-    particles.force[to] += at.action.force;
-    particles.torque[to] += at.action.moment * lane(arm, k);
+    Load& load = particles.load[i[k]];
+    load.force += at.action.force;
+    load.torque += at.action.moment * lane(arm, k);
     if constexpr (Law::breaks) {
       const double size = lane(stone, k);
       at.action.crush = lane(response.stone, k) / (size * size);
-      particles.crush[to] = larger(particles.crush[to], at.action.crush);
+      load.crush = larger(load.crush, at.action.crush);
     }
     if (horizon > 0)
       extremes.merge({lane(response.stiffness, k) / lane(inertia, k), slot + k,

@@ -20,26 +20,28 @@ struct Hertz {
   struct Push {
     T force;           // [N]
     T contact_radius;  // a = sqrt(R0 d) [m]
+    T inverse_radius;  // 1 / a, very large where d = 0 [1/m]
   };
 
   // d: overlap of the bare stones [m], already clipped at zero.
   template <class T>
   Push<T> operator()(T d, const Contact<T>& contact) const {
-    using std::sqrt;
-    const T a = sqrt(contact.stone_radius * d);
+    const T square = contact.stone_radius * d;
+    const T inverse = reciprocal_root(larger(square, T(1e-300)));
+    const T a = square * inverse;
     T force = T(4.0 / 3.0 * modulus) * a * d;
     if constexpr (damping == Damping::restitution)
       force = larger(force + T(2.0 * std::sqrt(5.0 / 6.0) * damping_ratio) *
-                                 sqrt(contact.mass * T(2.0 * modulus) * a) * contact.closing,
+                                 fast_root(contact.mass * T(2.0 * modulus) * a) *
+                                 contact.closing,
                      T(0.0));
-    return {force, a};
+    return {force, a, inverse};
   }
 
   // Tangent stiffness 2 E0 a at bare-stone overlap d [N/m].
   template <class T>
   T stiffness(T d, const Contact<T>& contact) const {
-    using std::sqrt;
-    return T(2.0 * modulus) * sqrt(contact.stone_radius * d);
+    return T(2.0 * modulus) * fast_root(contact.stone_radius * d);
   }
 };
 

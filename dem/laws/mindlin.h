@@ -21,7 +21,7 @@ struct Mindlin {
   template <class T>
   struct Memory {
     Vec3<T> shear;  // tangential force on the first body [N]
-    T stiffness;    // 8 G* a of the previous step [N/m]
+    T compliance;   // 1 / (8 G* a) of the previous step, 0 if stones did not touch [m/N]
   };
 
   template <class T>
@@ -39,23 +39,21 @@ struct Mindlin {
   // weakness: contact compliance / that of whole stones [-].
   template <class T>
   Response<T> respond(const Contact<T>& contact, Memory<T>& memory, T weakness) const {
-    using std::sqrt;
-    const T tiny(1e-300);
     const T d = larger(contact.overlap - T(gap), T(0.0));
     const auto push = normal(d, contact);
     const T share = T(1.0) / weakness;
     const T force = push.force * share;
     const T stiffness = T(8.0 * shear_modulus) * push.contact_radius * share;
 
-    const T left = smaller(stiffness / larger(memory.stiffness, tiny), T(1.0));
+    const T left = smaller(stiffness * memory.compliance, T(1.0));
     const Vec3<T> kept = carried(memory.shear, contact) * left;
     const Vec3<T> tried = kept - contact.sliding * stiffness;
     const T limit = T(friction) * force;
-    const T size = sqrt(dot(tried, tried));
-    const Vec3<T> shear = tried * (limit / larger(larger(size, limit), tiny));
+    const T slip = limit * reciprocal_root(larger(dot(tried, tried), T(1e-300)));
+    const Vec3<T> shear = tried * smaller(slip, T(1.0));
 
     memory.shear = shear;
-    memory.stiffness = stiffness;
+    memory.compliance = T(1 / (8.0 * shear_modulus)) * push.inverse_radius * weakness;
     // The shear stiffness is 4 G*/E0 < 1 of the normal one for every Poisson's ratio >= 0.
     const T ahead = larger(overlap_ahead(contact) - T(gap), T(0.0));
     return {force, force, shear, normal.stiffness(ahead, contact) * share};

@@ -55,7 +55,7 @@ class LoadedPair {
     }
   }
 
-  const SlotForce& slot() const { return pairs_.forces[0]; }
+  SlotForce slot() const { return pairs_.forces(stones_)[0]; }
   const ParticleStore& stones() const { return stones_; }
   Vec3d normal() const {
     const Vec3d apart = stones_.position[pairs_.first(0)] - stones_.position[pairs_.second(0)];

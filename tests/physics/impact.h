@@ -102,9 +102,9 @@ inline Outcome collide(const ImpactCase& impact) {
     if (pair) overlap = radius[0] + radius[1] - norm(now.position[0] - now.position[1]);
     if (overlap <= 0 && touched) break;
     if (overlap > 0) touched = true;
-    if (touched) outcome.path.emplace_back(overlap, std::abs(now.force[0].z));
+    if (touched) outcome.path.emplace_back(overlap, std::abs(now.load[0].force.z));
     outcome.overlap = std::max(outcome.overlap, overlap);
-    outcome.force = std::max(outcome.force, std::abs(now.force[0].z));
+    outcome.force = std::max(outcome.force, std::abs(now.load[0].force.z));
   }
   outcome.duration = simulation.time();
   const ParticleStore& after = simulation.stones();

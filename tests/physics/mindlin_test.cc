@@ -154,7 +154,7 @@ TEST(mindlin, stones_that_touch_at_the_start_have_slid_by_nothing_yet) {
   for (int n = 1; n <= 3; ++n) {
     run.step();
     check({"shear force after few steps / that of the way slid", "1",
-           -run.stones().force[0].x / (spring(d) * n * speed * short_step), 1, relative(1e-6),
+           -run.stones().load[0].force.x / (spring(d) * n * speed * short_step), 1, relative(1e-6),
            "closed form"});
   }
 }
