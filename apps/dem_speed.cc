@@ -16,12 +16,13 @@
 #include "apps/bed_file.h"
 #include "apps/laws.h"
 #include "apps/timed_stages.h"
+#include "apps/whole_file.h"
 #include "dem/strength.h"
 
 namespace {
 
 struct Options {
-  std::string bed, law;
+  std::string bed, law, out;
   double cylinder_radius = 0;  // [m]; 0: as the bed says
   double skin = 3e-5;          // [m]
   int threads = 1, steps = 0, warmup = 0;
@@ -99,6 +100,18 @@ std::int64_t touching_walls(const dem::ParticleStore& stones, double cylinder_ra
   return count;
 }
 
+// The stones as a bed file, in the order of the one that was read.
+std::string table_of(const dem::ParticleStore& stones, double cylinder_radius) {
+  std::vector<std::size_t> place(stones.size());
+  for (std::size_t k = 0; k < place.size(); ++k) place[stones.id[k]] = k;
+  std::string rows = fmt::format("# cylinder_radius={}\n# x,y,z,radius (m)\n", cylinder_radius);
+  for (const std::size_t k : place) {
+    const dem::Vec3d& x = stones.position[k];
+    rows += fmt::format("{},{},{},{}\n", x.x, x.y, x.z, stones.outer_radius(k));
+  }
+  return rows;
+}
+
 template <class Law>
 nlohmann::ordered_json time_steps(const apps::Bed<Law>& bed, const Options& options) {
   dem::Settings settings;
@@ -115,6 +128,9 @@ nlohmann::ordered_json time_steps(const apps::Bed<Law>& bed, const Options& opti
   for (int k = 0; k < options.steps; ++k) simulation.step();
   const double per_step = apps::seconds_since(start) / options.steps;
   const double cpu = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
+
+  if (!options.out.empty())
+    apps::write_whole_file(options.out, table_of(simulation.stones(), options.cylinder_radius));
 
   // A part of the run is enough for shares.
   apps::Stages<Law> stages(bed, options.skin);
@@ -191,6 +207,7 @@ int main(int argc, char** argv) {
       ->check(CLI::PositiveNumber);
   app.add_option("--skin", options.skin, "search range beyond contact [m]")
       ->check(CLI::PositiveNumber);
+  app.add_option("--out", options.out, "write the stones after the last step as a bed (CSV)");
   app.add_flag("--json", options.json, "print one JSON object");
   try {
     app.parse(argc, argv);
@@ -216,5 +233,8 @@ int main(int argc, char** argv) {
     std::cerr << fmt::format("stopped: stone {}, time {} s: {} = {}\n", trouble.stone, trouble.time,
                              trouble.what(), trouble.value);
     return apps::numerical_trouble;
+  } catch (const apps::OutputError& error) {
+    std::cerr << error.what() << '\n';
+    return apps::output_trouble;
   }
 }
