@@ -1,5 +1,7 @@
 #include "apps/laws.h"
 
+#include <fmt/format.h>
+
 #include "apps/errors.h"
 
 namespace apps {
@@ -10,6 +12,12 @@ void LawBook::check(const SceneSource& source) const {
     mistakes.push_back(source.where("binder.alpha") + ": expected at most " +
                        std::to_string(most_prony_terms) + " Prony terms, found " +
                        std::to_string(prony_terms()) + "; leave out the least weights");
+  if (shell_ > thickest_)
+    mistakes.push_back(source.where("binder.content") +
+                       fmt::format(": expected shells no thicker than the radius of the smallest "
+                                   "stone, {:.3g} mm, found {:.3g} mm; lower it, or raise "
+                                   "stones.smallest",
+                                   1e3 * thickest_, 1e3 * shell_));
   if (damping() && (binder_ || fracture()))
     mistakes.push_back(
         source.where("stones.restitution") +

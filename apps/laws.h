@@ -41,6 +41,7 @@ class LawBook {
       : stones_(stones),
         binder_(binder),
         shell_(mix.shell),
+        thickest_(mix.radius.empty() ? mix.shell : mix.smallest_radius()),
         bitumen_fraction_(mix.bitumen_fraction) {}
 
   // The law of a stone with its counterpart; bonds: may shells that were pressed carry tension.
@@ -65,7 +66,7 @@ class LawBook {
 
   StonesScene stones_;
   std::optional<BinderScene> binder_;
-  double shell_, bitumen_fraction_;
+  double shell_, thickest_, bitumen_fraction_;
 };
 
 template <dem::Damping damping>

@@ -1,5 +1,6 @@
 #include "apps/path_case.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -42,8 +43,8 @@ std::vector<Section> describe(PathCase& the_case, std::string& file) {
            "The shells; absent: dry stones.",
            {{&the_case.shell, "shell_thickness", millimetre, positive, "of each shell", "",
              required("\"0.5 mm\"")},
-            {&binder.shear_modulus, "shear_modulus", megapascal, positive, "G0, instantaneous", "",
-             required("\"6.65 MPa\"")},
+            {&binder.shear_modulus, "shear_modulus", megapascal, shear_modulus_range,
+             "G0, instantaneous", "", required("\"6.65 MPa\"")},
             {&binder.alpha, "alpha", pure, above_zero_to(1),
              "shares of G0 that relax if all of the phase is bitumen, sum at most 1", "",
              required("[0.513, 0.487]")},
@@ -51,14 +52,14 @@ std::vector<Section> describe(PathCase& the_case, std::string& file) {
              required("[\"0.0948 s\", \"105.9 s\"]")},
             {&the_case.bitumen_fraction, "bitumen_fraction", pure, between(0, 1),
              "of the binder phase; alpha is multiplied by it", ""},
-            {&binder.bond_energy, "bond_energy", energy_per_area, at_least(0),
+            {&binder.bond_energy, "bond_energy", energy_per_area, bond_energy_range,
              "work of separating two shells, per area", ""}},
            [&the_case] { the_case.binder.reset(); }},
           {"stone",
            "The stones inside; absent: none is met.",
-           {{&stone.young, "young", gigapascal, positive, "Young's modulus", ""},
+           {{&stone.young, "young", gigapascal, young_range, "Young's modulus", ""},
             {&stone.poisson, "poisson", pure, poisson_range, "Poisson's ratio", ""},
-            {&stone.friction, "friction", pure, at_least(0),
+            {&stone.friction, "friction", pure, friction_range,
              "Coulomb coefficient of stones, and of the film on a wall", ""},
             {&stone.density, "density", density_unit, positive, "what damping is scaled with", ""},
             {&stone.restitution, "restitution", pure, above_zero_to(1),
@@ -98,6 +99,10 @@ class CaseCheck {
       refuse("stone.restitution", "no restitution where stones have binder or may break",
              "remove it, binder and fracture dissipate by themselves");
     if (the_case.binder) check(*the_case.binder);
+    if (the_case.binder && !the_case.radius.empty() &&
+        the_case.shell > std::ranges::min(the_case.radius))
+      refuse("binder.shell_thickness", "a shell no thicker than the smaller stone's radius",
+             "lower it, or raise contact.radius");
   }
 
   Place place(const std::string& key) const { return document_.place(key); }

@@ -36,7 +36,7 @@ Section describe(MouldScene& mould) {
            {&mould.aspect_ratio, "aspect_ratio", pure, positive,
             "height of the settled stones / diameter: the mould is scaled to their number",
             authors_code, optional("1")},
-           {&mould.wall_friction, "wall_friction", pure, at_least(0),
+           {&mould.wall_friction, "wall_friction", pure, friction_range,
             "Coulomb coefficient of stones on wall and base", authors_code}}};
 }
 
@@ -59,8 +59,8 @@ Section describe(HeadScene& head) {
       "The loading plate and its ram.",
       {{&head.mass, "mass", kilogram, positive,
         "of a rigid head; absent: that of a steel plate and shaft", ours, optional("\"2.8 kg\"")},
-       {&head.friction, "friction", pure, at_least(0), "Coulomb coefficient of stones on the plate",
-        authors_code}}};
+       {&head.friction, "friction", pure, friction_range,
+        "Coulomb coefficient of stones on the plate", authors_code}}};
 }
 
 Section describe(std::optional<ElasticHeadScene>& head) {
@@ -105,7 +105,7 @@ Section describe(FlowScene& flow) {
            {&flow.speed, "speed", speed, positive, "of the strip, downwards", flow_test},
            {&flow.displacement, "displacement", millimetre, positive,
             "of the strip at the end of the test", ours},
-           {&flow.wall_friction, "wall_friction", pure, at_least(0),
+           {&flow.wall_friction, "wall_friction", pure, friction_range,
             "Coulomb coefficient of stones on walls and strip", authors_code}}};
 }
 

@@ -106,6 +106,18 @@ TEST_F(PathCaseTest, a_contact_of_nothing_and_a_path_that_is_not_there_are_refus
       found, ElementsAre(HasSubstr("a section [binder] or [stone]"), HasSubstr("no file to read")));
 }
 
+TEST_F(PathCaseTest, what_is_outside_the_box_of_the_laws_is_refused) {
+  // sections.h: the box in which the laws are proven.
+  for (const char* option : {"binder.bond_energy=0.11 J/mm2", "binder.shear_modulus=2 GPa",
+                             "binder.shell_thickness=2.6 mm"}) {
+    const std::string key(option, std::string(option).find('='));
+    EXPECT_THAT(mistakes(pair_of_shells, "0,0,0\n", {option}),
+                ElementsAre(HasSubstr("--set " + key + ": expected")));
+  }
+  EXPECT_THAT(mistakes(pair_of_shells, "0,0,0\n", {"stone.friction=1.6"}),
+              ElementsAre(HasSubstr("--set stone.friction: expected")));
+}
+
 TEST_F(PathCaseTest, restitution_is_for_dry_stones_that_do_not_break) {
   // There is no law for anything else.
   EXPECT_THAT(mistakes(pair_of_shells, "0,0,0\n", {"stone.restitution=0.5"}),

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "apps/laws.h"
 #include "tests/unit/scene_fixture.h"
 
 namespace {
@@ -27,6 +28,28 @@ TEST_F(SceneMistakes, refuses_a_binder_told_twice_or_in_part) {
   EXPECT_THAT(mistakes(least, {"binder.temperature=130 degC"}),
               ElementsAre(AllOf(StartsWith("--set binder.temperature: expected"),
                                 HasSubstr("110 degC or 150 degC"), HasSubstr("shear_modulus"))));
+}
+
+TEST_F(SceneMistakes, refuses_a_binder_outside_the_box_that_the_laws_are_proven_in) {
+  // sections.h: 1 kPa to 1 GPa.
+  for (const char* modulus : {"0.9 kPa", "1.1 GPa"})
+    EXPECT_THAT(mistakes(least, {"binder.temperature=none", "binder.alpha=[0.5]", "binder.tau=[1]",
+                                 std::string("binder.shear_modulus=") + modulus}),
+                ElementsAre(StartsWith("--set binder.shear_modulus: expected")));
+}
+
+TEST_F(SceneMistakes, refuses_shells_thicker_than_the_smallest_stone) {
+  // sections.h; so much bitumen that spheres could not hold it.
+  const apps::GyratoryScene scene = read(least, {"binder.content=60 %"});
+  const apps::Mix mix = apps::prepare_mix(scene.stones, scene.binder, scene.run.seed);
+  ASSERT_GT(mix.shell, mix.smallest_radius());
+  try {
+    apps::LawBook(scene.stones, scene.binder, mix).check(scene.source);
+    ADD_FAILURE();
+  } catch (const apps::InputError& error) {
+    EXPECT_THAT(error.mistakes, ElementsAre(AllOf(StartsWith("--set binder.content: expected"),
+                                                  HasSubstr("smallest stone"))));
+  }
 }
 
 TEST_F(SceneMistakes, refuses_a_binder_that_relaxes_more_than_it_has) {
@@ -97,6 +120,12 @@ TEST_F(SceneMistakes, refuses_what_is_not_a_physical_value) {
                              "fill.packing_density=0",
                              "binder.content=6.6",
                              "binder.bond_energy=-1",
+                             "binder.bond_energy=0.11 J/mm2",
+                             "stones.friction=1.6",
+                             "mould.wall_friction=1.6",
+                             "head.friction=1.6",
+                             "stones.young=1e-4 GPa",
+                             "stones.young=2 TPa",
                              "mould.diameter=0 mm",
                              "mould.diameter=-1",
                              "mould.diameter=10 mm",
