@@ -175,7 +175,8 @@ def read_runs(file):
     """The runs of a table that --out wrote, by bed and code."""
     runs = {}
     for row in csv.DictReader(file):
-        runs[row.pop("bed"), row.pop("code")] = {key: float(value) for key, value in row.items()}
+        place = row.pop("bed"), row.pop("code")
+        runs[place] = {key: float(value) for key, value in row.items()}
     return runs
 
 

@@ -24,7 +24,7 @@ enum Part { base, ring };                              // the walls, in the orde
 // A bed at rest, filled as a gas. Soft stones take longer steps: they overlap by a percent.
 Simulation<DampedDry> settled(int count, double cylinder, double friction, double wall_friction) {
   apps::StonesScene scene;
-  scene.young = 3e6;
+  scene.young = 10e6;
   scene.poisson = 0.2;
   scene.density = 2650;
   scene.friction = friction;
@@ -34,7 +34,7 @@ Simulation<DampedDry> settled(int count, double cylinder, double friction, doubl
     mix.radius.push_back(smallest + (largest - smallest) * (k + 0.5) / count);
   const apps::LawBook book(scene, std::nullopt, mix);
   apps::FillScene fill;
-  fill.rest_energy = 1e-5;
+  fill.rest_energy = 1e-4;
   apps::NumericsScene numerics;
   numerics.mass_scale = 1;
   auto bed = apps::make_bed<DampedDry>(scene, mix, book, fill, numerics, 1, RoundMould{cylinder});
