@@ -1,11 +1,11 @@
-"""Runs the same settled beds of dry stones with ours and with other DEM codes, from the same decks and
-to the same time, and prints what the walls carry, how high the beds stand and how many neighbours a
-stone has.
+"""Runs the same settled beds of dry stones with ours and with other DEM codes, from the same decks
+and to the same time, and prints what the walls carry, how high the beds stand and how many
+neighbours a stone has.
 
-The beds are those of the peers' own generator, settled by their own deck, one for each seed. All codes
-start from the same stones, without shear springs, and take the same steps. Forces are those of Hertz
-at the last overlaps, counted by one routine for all; where a code's wall is stiffer than
-4/3 E0 sqrt(R) d^1.5, which a probe of one stone on floor and cylinder finds out, its factor is used.
+The beds are those of the peers' own generator, settled by their own deck, one for each seed. All
+codes start from the same stones, without shear springs, and take the same steps. Forces are those
+of Hertz at the last overlaps, counted by one routine for all; where a code's wall is stiffer than
+4/3 E0 sqrt(R) d^1.5, which a probe of a stone on floor and cylinder finds out, its factor is used.
 Needs numpy, and of the other codes (LAMMPS, LIGGGHTS) those that are to be compared with."""
 import argparse
 import csv
@@ -20,7 +20,9 @@ import tempfile
 import numpy
 
 HOUSE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-PROGRAMS = {"lammps_hist": "lmp", "lammps_granular": "lmp", "liggghts": "liggghts"}
+UNDAMPED = "liggghts_no_shear_damping"        # the shared deck with that one option added
+PROGRAMS = {"lammps_hist": "lmp", "lammps_granular": "lmp", "liggghts": "liggghts",
+            UNDAMPED: "liggghts"}
 YOUNG, POISSON, GRAVITY = 1e9, 0.15, 196.2    # of the decks [Pa], [-], [m/s2]
 STIFFNESS = 4 / 3 * YOUNG / (2 * (1 - POISSON**2))  # of Hertz, a stone on a wall of stone [Pa]
 TIME_STEP = 1e-6                              # of the decks [s]
@@ -78,8 +80,24 @@ class Peers:
         """Centres and radii after so many steps."""
         self.beds.write_data(f"{self.scratch}/data_{stones}", position, radius,
                              self.beds.cyl_radius(stones), "lammps")
+        self.bench.HERE = self.without_shear_damping() if code == UNDAMPED else self.folder
+        code = "liggghts" if code == UNDAMPED else code
         self.bench.one(code, stones, 1, self.bench.BEST[code], steps - 1, 1, self.scratch)
         return self.beds.read_dump(f"{self.scratch}/out")
+
+    def without_shear_damping(self):
+        """A folder with the decks, LIGGGHTS's with its damping in shear taken away."""
+        changed = f"{self.scratch}/undamped"
+        if not os.path.exists(changed):
+            shutil.copytree(f"{self.folder}/decks", f"{changed}/decks")
+            with open(f"{self.folder}/decks/in.liggghts") as deck:
+                lines = [line.rstrip() + " tangential_damping off" * ("hertz tangential" in line)
+                         for line in deck]
+            os.chmod(f"{changed}/decks", 0o755)
+            os.remove(f"{changed}/decks/in.liggghts")
+            with open(f"{changed}/decks/in.liggghts", "w") as deck:
+                deck.write("\n".join(lines) + "\n")
+        return changed
 
 
 class WallLaw:
@@ -93,8 +111,8 @@ class WallLaw:
 
     @classmethod
     def of(cls, peers, code):
-        """By one stone on the floor, one at the cylinder and a pair, each pressed by 1 % of a radius,
-        and the way they are thrown in the first step."""
+        """By one stone on the floor, one at the cylinder and a pair, each pressed by 1 % of a
+        radius, and the way they are thrown in the first step."""
         stones, steps = 5000, 1  # stones of the cylinder; before anything moves nothing is damped
         cylinder = peers.beds.cyl_radius(stones)
         radius = 0.2 * cylinder

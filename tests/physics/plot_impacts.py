@@ -1,6 +1,6 @@
-"""The picture of the eight impacts of Chung & Ooi (2011): dots are what the simulation computes, lines
-the closed forms, crosses what was digitised or solved with partial slip. checks.py draws it from the
-rows that the tests write; nothing is computed here."""
+"""The picture of the eight impacts of Chung & Ooi (2011): dots are what the simulation computes,
+lines the closed forms, crosses what was digitised or solved with partial slip. checks.py draws it
+from the rows that the tests write; nothing is computed here."""
 import matplotlib
 
 matplotlib.use("Agg")
@@ -15,7 +15,8 @@ LINE, CROSS = "line", "cross"
 # Title, axes, and the quantities shown, each with what its reference is drawn as.
 PANELS = [
     ("1: two spheres", "overlap [m]", "force [N]",
-     [("force / N at an overlap / m, glass", LINE), ("force / N at an overlap / m, limestone", LINE)]),
+     [("force / N at an overlap / m, glass", LINE),
+      ("force / N at an overlap / m, limestone", LINE)]),
     ("2: sphere on a plane", "overlap [m]", "force [N]",
      [("force / N at an overlap / m, aluminium alloy", LINE),
       ("force / N at an overlap / m, magnesium alloy", LINE)]),
@@ -49,7 +50,11 @@ PANELS = [
 
 def short(quantity):
     """What tells a quantity from its neighbours in a panel."""
-    return quantity.rsplit("deg of ", 1)[-1] if "deg of " in quantity else quantity.rsplit(", ", 1)[-1]
+    if "not ours" in quantity:
+        return quantity.rsplit("deg of ", 1)[-1]
+    if "angle / deg" in quantity:
+        return "ours, sliding" if "sliding" in quantity else "ours, sticking"
+    return quantity.rsplit(", ", 1)[-1]
 
 
 def draw(axes, quantity, kind, rows, colour):
@@ -75,6 +80,7 @@ def picture(rows):
                 draw(panel, quantity, kind, rows, colour)
             panel.set(title=title, xlabel=x, ylabel=y)
             panel.legend(fontsize=7)
+            panel.set_ylim(bottom=min(0, panel.get_ylim()[0]))
             if x == "overlap [m]":
                 panel.ticklabel_format(axis="x", style="sci", scilimits=(-6, -6))
     return figure
