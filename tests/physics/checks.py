@@ -67,9 +67,9 @@ What differs, and is not tuned away:
   table, stays with ours.
 - `hertz/history` of LAMMPS damps by constants, not by a restitution.
 - The walls of LAMMPS `granular` are 1 + nu times stiffer than Hertz (E / 2(1 - nu) in place of
-  E / 2(1 - nu^2)), and lose more of their load at the start; that its floor force is near to ours
-  is chance. Both of its styles count the curvature of the cylinder. The probe of compare_bulk.py
-  measures this; the forces above are counted with it.
+  E / 2(1 - nu^2)) and lose more of their load at the start, which works against the damping in
+  shear: that its floor force is near to ours is chance. Both of its styles count the curvature of
+  the cylinder. The probe of compare_bulk.py measures this; the forces are counted with it.
 - They keep the displacement of the shear spring while a contact shrinks; ours gives up force.
 """
 
