@@ -80,7 +80,8 @@ def picture(rows):
                 draw(panel, quantity, kind, rows, colour)
             panel.set(title=title, xlabel=x, ylabel=y)
             panel.legend(fontsize=7)
-            panel.set_ylim(bottom=min(0, panel.get_ylim()[0]))
+            bottom, top = panel.get_ylim()
+            panel.set_ylim(min(0, bottom), 1.05 * top)
             if x == "overlap [m]":
                 panel.ticklabel_format(axis="x", style="sci", scilimits=(-6, -6))
     return figure
