@@ -11,7 +11,6 @@
 
 #include "apps/laws.h"
 #include "apps/sections.h"
-#include "dem/gather.h"
 #include "dem/strength.h"
 #include "tests/physics/check.h"
 
@@ -146,16 +145,16 @@ Drive drive(const Case& given, const Eigen::Quaterniond& view) {
                        (given.angle / given.dt);
     const bool held = pairs.held() > 0;
     pairs.evaluate(stones, given.dt);
-    gather_forces(stones, list, pairs.forces, 0);
+    pairs.tallies.add_up(stones, 0, Law::breaks);
     found.breaks += held && pairs.held() == 0;
     Vec3d sum = {0, 0, 0}, moment = {0, 0, 0};
     double largest = 0, stride = norm(path);
     for (int k = 0; k < 2; ++k) {
       const Vec3d rotation = stones.spin[k] * given.dt;
-      found.work -= 0.5 * dot(force[k] + stones.force[k], k == 0 ? path : Vec3d{0, 0, 0});
-      found.work -= 0.5 * dot(torque[k] + stones.torque[k], rotation);
-      force[k] = stones.force[k];
-      torque[k] = stones.torque[k];
+      found.work -= 0.5 * dot(force[k] + stones.load[k].force, k == 0 ? path : Vec3d{0, 0, 0});
+      found.work -= 0.5 * dot(torque[k] + stones.load[k].torque, rotation);
+      force[k] = stones.load[k].force;
+      torque[k] = stones.load[k].torque;
       sum += force[k];
       moment += torque[k] + cross(stones.position[k], force[k]);
       largest = std::max(largest, norm(force[k]));
