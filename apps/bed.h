@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 
-#include "apps/laws.h"
+#include "apps/ledger.h"
 #include "dem/observe.h"
 #include "dem/packing.h"
 
@@ -62,8 +63,8 @@ dem::Simulation<Law> make_bed(const StonesScene& stones, const Mix& mix, const L
 // dies out by a drag of twice the rate of free fall over the depth of the gas, which only this
 // stage has. Stops with NumericalTrouble if the bed does not come to rest within 100 such times.
 template <class Law>
-void settle(dem::Simulation<Law>& bed, const FillScene& fill,
-            const std::function<void(double progress)>& report) {
+void settle(dem::Simulation<Law>& bed, std::optional<dem::EnergyLedger<Law>>& ledger,
+            const FillScene& fill, const std::function<void(double progress)>& report) {
   constexpr double gravity = 9.81;  // [m/s2]
   const dem::ParticleStore& stones = bed.stones();
   double threshold = 0;
@@ -75,7 +76,10 @@ void settle(dem::Simulation<Law>& bed, const FillScene& fill,
   bed.set_drag(2 / fall);
   while (true) {
     const double next = bed.time() + 0.05 * fall;
-    while (bed.time() < next) bed.step();
+    while (bed.time() < next) {
+      bed.step();
+      if (ledger) ledger->look(bed);
+    }
     const double energy = dem::kinetic_energy(stones);
     const double spent = (bed.time() - start) / fall;
     report(std::min(1.0, threshold / energy));

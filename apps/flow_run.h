@@ -24,7 +24,7 @@ class FlowRun {
   void press(Recorder& recorder, const std::string& folder, Progress& progress);
   std::vector<Finding> findings(double wall_seconds) const;
 
-  static std::vector<Column> columns();
+  static std::vector<Column> columns(const FlowTestScene& scene);
 
  private:
   void lower_strip();
@@ -36,9 +36,11 @@ class FlowRun {
   const LawBook& book_;
   Law wall_law_;
   dem::Simulation<Law> bed_;
-  std::size_t strip_ = 0;  // its place among the walls
-  double started_at_ = 0;  // [s]
-  double bed_height_ = 0;  // mean of the highest points of the settled bed [m]
+  std::optional<dem::EnergyLedger<Law>> ledger_;
+  double settling_residual_ = 0;  // of the ledger, as a share of the work [-]
+  std::size_t strip_ = 0;         // its place among the walls
+  double started_at_ = 0;         // [s]
+  double bed_height_ = 0;         // mean of the highest points of the settled bed [m]
   double largest_pressure_ = 0, lowest_uplift_ = 0, uplift_ = 0;  // [Pa], [m], [m]
   int pictures_ = 0;
   std::optional<Series> stone_series_, strip_series_;
@@ -74,9 +76,13 @@ FlowRun<Law>::FlowRun(const FlowTestScene& scene, const Mix& mix, const LawBook&
 
 template <class Law>
 void FlowRun<Law>::fill(Progress& progress) {
-  settle(bed_, scene_.fill, [&](double rest) {
+  if (scene_.output.energy_ledger) ledger_.emplace();
+  settle(bed_, ledger_, scene_.fill, [&](double rest) {
     progress.report(rest, fmt::format("settling: time {:.2f} s, rest {:.1e}", bed_.time(), rest));
   });
+  if (!ledger_) return;
+  settling_residual_ = ledger_->energies().residual_share();
+  ledger_->restart();
 }
 
 // Puts the strip on the highest stone below it and lets shells bond from now on.
@@ -104,10 +110,13 @@ void FlowRun<Law>::lower_strip() {
 }
 
 template <class Law>
-std::vector<Column> FlowRun<Law>::columns() {
-  return {{"time", "s"},           {"displacement", "m"}, {"force", "N"}, {"pressure", "Pa"},
-          {"uplift", "m"},         {"fractured", "1"},    {"bonds", "1"}, {"coordination", "1"},
-          {"kinetic_energy", "J"}, {"time_step", "s"}};
+std::vector<Column> FlowRun<Law>::columns(const FlowTestScene& scene) {
+  std::vector<Column> all = {{"time", "s"},      {"displacement", "m"}, {"force", "N"},
+                             {"pressure", "Pa"}, {"uplift", "m"},       {"fractured", "1"},
+                             {"bonds", "1"},     {"coordination", "1"}, {"kinetic_energy", "J"},
+                             {"time_step", "s"}};
+  if (scene.output.energy_ledger) add_energy_columns(all);
+  return all;
 }
 
 template <class Law>
@@ -123,6 +132,7 @@ void FlowRun<Law>::press(Recorder& recorder, const std::string& folder, Progress
     double span = 0, impulse = 0;
     while (bed_.time() < std::min(next_row, end)) {
       bed_.step();
+      if (ledger_) ledger_->look(bed_);
       span += bed_.time_step();
       impulse += bed_.walls()[strip_].force.z * bed_.time_step();
     }
@@ -135,10 +145,18 @@ void FlowRun<Law>::press(Recorder& recorder, const std::string& folder, Progress
     lowest_uplift_ = std::min(lowest_uplift_, uplift_);
     const double coordination = 2.0 * static_cast<double>(bed_.pairs().touching(bed_.stones())) /
                                 static_cast<double>(bed_.stones().size());
-    recorder.append(std::array{bed_.time() - started_at_, displacement, force, pressure, uplift_,
+    std::vector<double> row = {bed_.time() - started_at_,
+                               displacement,
+                               force,
+                               pressure,
+                               uplift_,
                                static_cast<double>(bed_.cracks().size()),
-                               static_cast<double>(bed_.pairs().held()), coordination,
-                               dem::kinetic_energy(bed_.stones()), bed_.time_step()});
+                               static_cast<double>(bed_.pairs().held()),
+                               coordination,
+                               dem::kinetic_energy(bed_.stones()),
+                               bed_.time_step()};
+    if (ledger_) add_energies(row, ledger_->energies());
+    recorder.append(row);
     if (scene_.output.picture_interval > 0 && bed_.time() >= next_picture) {
       draw(folder);
       next_picture += scene_.output.picture_interval;
@@ -178,24 +196,30 @@ void FlowRun<Law>::draw(const std::string& folder) {
 template <class Law>
 std::vector<Finding> FlowRun<Law>::findings(double wall_seconds) const {
   const auto stones = static_cast<std::int64_t>(bed_.stones().size());
-  return {{"stones", stones},
-          {"steps", bed_.steps()},
-          {"time_step_s", bed_.time_step()},
-          {"limiting_contact", bed_.limiting_contact()},
-          {"mass_scale", scene_.numerics.mass_scale},
-          {"wall_seconds", wall_seconds},
-          {"particle_steps_per_second",
-           static_cast<double>(stones) * static_cast<double>(bed_.steps()) / wall_seconds},
-          {"bed_height_m", bed_height_},
-          {"displacement_m", scene_.flow.displacement},
-          {"pressure_largest_Pa", largest_pressure_},
-          {"uplift_lowest_m", lowest_uplift_},
-          {"uplift_end_m", uplift_},
-          {"fractured_stones", static_cast<std::int64_t>(bed_.cracks().size())},
-          {"shell_thickness_m", mix_.shell},
-          {"bitumen_fraction", mix_.bitumen_fraction},
-          {"neighbor_rebuilds", bed_.rebuilds()},
-          {"seed", static_cast<std::int64_t>(scene_.run.seed)}};
+  std::vector<Finding> found = {
+      {"stones", stones},
+      {"steps", bed_.steps()},
+      {"time_step_s", bed_.time_step()},
+      {"limiting_contact", bed_.limiting_contact()},
+      {"mass_scale", scene_.numerics.mass_scale},
+      {"wall_seconds", wall_seconds},
+      {"particle_steps_per_second",
+       static_cast<double>(stones) * static_cast<double>(bed_.steps()) / wall_seconds},
+      {"bed_height_m", bed_height_},
+      {"displacement_m", scene_.flow.displacement},
+      {"pressure_largest_Pa", largest_pressure_},
+      {"uplift_lowest_m", lowest_uplift_},
+      {"uplift_end_m", uplift_},
+      {"fractured_stones", static_cast<std::int64_t>(bed_.cracks().size())},
+      {"shell_thickness_m", mix_.shell},
+      {"bitumen_fraction", mix_.bitumen_fraction},
+      {"neighbor_rebuilds", bed_.rebuilds()},
+      {"seed", static_cast<std::int64_t>(scene_.run.seed)}};
+  if (ledger_) {
+    found.push_back({"settling_energy_residual_share", settling_residual_});
+    add_energies(found, ledger_->energies());
+  }
+  return found;
 }
 
 }  // namespace apps

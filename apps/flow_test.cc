@@ -24,7 +24,7 @@ void press(const apps::Options& options) {
     apps::Recorder recorder(
         options.out + "/results.h5",
         apps::provenance("flow_test", options, scene.source.text, scene.run.seed),
-        apps::FlowRun<Law>::columns());
+        apps::FlowRun<Law>::columns(scene));
     apps::Progress progress(std::cout, isatty(STDOUT_FILENO), options.quiet);
     apps::FlowRun<Law> run(scene, mix, book);
     run.fill(progress);

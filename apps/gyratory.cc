@@ -23,7 +23,7 @@ void compact(const apps::Options& options) {
     apps::Recorder recorder(
         options.out + "/results.h5",
         apps::provenance("gyratory", options, scene.source.text, scene.run.seed),
-        apps::GyratoryRun<Law>::columns());
+        apps::GyratoryRun<Law>::columns(scene));
     apps::Progress progress(std::cout, isatty(STDOUT_FILENO), options.quiet);
     apps::GyratoryRun<Law> run(scene, mix, book, machine);
     run.fill(progress);

@@ -28,7 +28,7 @@ class GyratoryRun {
   void compact(Recorder& recorder, GyratoryPictures& pictures, Progress& progress);
   std::vector<Finding> findings(double wall_seconds) const;
 
-  static std::vector<Column> columns();
+  static std::vector<Column> columns(const GyratoryScene& scene);
 
  private:
   enum Part { floor, mould, head };  // the walls, in the order they are added
@@ -53,6 +53,8 @@ class GyratoryRun {
   const LawBook& book_;
   const Machine& machine_;
   dem::Simulation<Law> bed_;
+  std::optional<dem::EnergyLedger<Law>> ledger_;
+  double settling_residual_ = 0;  // of the ledger, as a share of the work [-]
   std::optional<SteelPart> elastic_mould_, elastic_head_;
   double head_mass_ = 0;       // [kg]
   double closed_at_ = 0;       // when the plate came down [s]
@@ -95,10 +97,14 @@ Law GyratoryRun<Law>::wall_law(Part part, bool bonds) const {
 
 template <class Law>
 void GyratoryRun<Law>::fill(Progress& progress) {
-  settle(bed_, scene_.fill, [&](double rest) {
+  if (scene_.output.energy_ledger) ledger_.emplace();
+  settle(bed_, ledger_, scene_.fill, [&](double rest) {
     progress.report(rest, fmt::format("settling: time {:.2f} s, rest {:.1e}", bed_.time(), rest));
   });
   settled_steps_ = bed_.steps();
+  if (!ledger_) return;
+  settling_residual_ = ledger_->energies().residual_share();
+  ledger_->restart();
 }
 
 // Puts the inclined head on the highest stone and lets shells bond from now on.
@@ -152,6 +158,7 @@ double GyratoryRun<Law>::air_voids(double plate_height) const {
 template <class Law>
 void GyratoryRun<Law>::step() {
   bed_.step();
+  if (ledger_) ledger_->look(bed_);
   const double dt = bed_.time_step();
   dem::Wall& plate = bed_.walls()[head];
   dem::Wall& ring = bed_.walls()[mould];
@@ -165,26 +172,28 @@ void GyratoryRun<Law>::step() {
 }
 
 template <class Law>
-std::vector<Column> GyratoryRun<Law>::columns() {
-  return {{"time", "s"},
-          {"gyration", "1"},
-          {"height", "m"},
-          {"air_voids", "1"},
-          {"ram_pressure", "Pa"},
-          {"head_force", "N"},
-          {"head_lateral_x", "N"},
-          {"head_lateral_y", "N"},
-          {"head_moment_x", "N m"},
-          {"head_moment_y", "N m"},
-          {"commanded_angle", "deg"},
-          {"internal_angle", "deg"},
-          {"fractured", "1"},
-          {"bonds", "1"},
-          {"coordination", "1"},
-          {"kinetic_energy", "J"},
-          {"mould_force", "N"},
-          {"time_step", "s"},
-          {"air_voids_decrease", "1"}};
+std::vector<Column> GyratoryRun<Law>::columns(const GyratoryScene& scene) {
+  std::vector<Column> all = {{"time", "s"},
+                             {"gyration", "1"},
+                             {"height", "m"},
+                             {"air_voids", "1"},
+                             {"ram_pressure", "Pa"},
+                             {"head_force", "N"},
+                             {"head_lateral_x", "N"},
+                             {"head_lateral_y", "N"},
+                             {"head_moment_x", "N m"},
+                             {"head_moment_y", "N m"},
+                             {"commanded_angle", "deg"},
+                             {"internal_angle", "deg"},
+                             {"fractured", "1"},
+                             {"bonds", "1"},
+                             {"coordination", "1"},
+                             {"kinetic_energy", "J"},
+                             {"mould_force", "N"},
+                             {"time_step", "s"}};
+  if (scene.output.energy_ledger) add_energy_columns(all);
+  all.push_back({"air_voids_decrease", "1"});
+  return all;
 }
 
 // One value per column but the last.
@@ -193,25 +202,26 @@ std::vector<double> GyratoryRun<Law>::row() {
   const double degree = 180 / std::numbers::pi;
   const dem::PlateFace face = dem::plate_face(bed_.walls()[head]);
   const double span = means_.span;
-  const std::vector<double> values = {bed_.time() - closed_at_,
-                                      std::max(0.0, gyration()),
-                                      face.mean_height,
-                                      air_voids(face.mean_height),
-                                      means_.ram_force / span / machine_.section,
-                                      means_.force.z / span,
-                                      means_.force.x / span,
-                                      means_.force.y / span,
-                                      means_.moment.x / span,
-                                      means_.moment.y / span,
-                                      scene_.gyration.angle * degree,
-                                      face.angle * degree,
-                                      static_cast<double>(bed_.cracks().size()),
-                                      static_cast<double>(bed_.pairs().held()),
-                                      2.0 * static_cast<double>(bed_.pairs().touching(bed_.stones())) /
-                                          static_cast<double>(bed_.stones().size()),
-                                      dem::kinetic_energy(bed_.stones()),
-                                      means_.mould_push / span,
-                                      bed_.time_step()};
+  std::vector<double> values = {bed_.time() - closed_at_,
+                                std::max(0.0, gyration()),
+                                face.mean_height,
+                                air_voids(face.mean_height),
+                                means_.ram_force / span / machine_.section,
+                                means_.force.z / span,
+                                means_.force.x / span,
+                                means_.force.y / span,
+                                means_.moment.x / span,
+                                means_.moment.y / span,
+                                scene_.gyration.angle * degree,
+                                face.angle * degree,
+                                static_cast<double>(bed_.cracks().size()),
+                                static_cast<double>(bed_.pairs().held()),
+                                2.0 * static_cast<double>(bed_.pairs().touching(bed_.stones())) /
+                                    static_cast<double>(bed_.stones().size()),
+                                dem::kinetic_energy(bed_.stones()),
+                                means_.mould_push / span,
+                                bed_.time_step()};
+  if (ledger_) add_energies(values, ledger_->energies());
   means_ = {};
   return values;
 }
@@ -323,6 +333,10 @@ std::vector<Finding> GyratoryRun<Law>::findings(double wall_seconds) const {
     found.push_back(
         {"mould_unknowns", static_cast<std::int64_t>(elastic_mould_->body().unknowns())});
     found.push_back({"mould_truncation_error", elastic_mould_->coupled().body().truncation_error});
+  }
+  if (ledger_) {
+    found.push_back({"settling_energy_residual_share", settling_residual_});
+    add_energies(found, ledger_->energies());
   }
   return found;
 }

@@ -26,7 +26,9 @@ Section describe(OutputScene& output) {
           {{&output.history_interval, "history_interval", second, positive,
             "of simulated time between the rows of the histories", ours},
            {&output.picture_interval, "picture_interval", second, at_least(0),
-            "of simulated time between pictures; 0: only the end", ours}}};
+            "of simulated time between pictures; 0: only the end", ours},
+           {&output.energy_ledger, "energy_ledger", pure, unbounded,
+            "where the work goes, in the history; takes time, changes no other result", ours}}};
 }
 
 std::vector<Section> describe(GyratoryScene& scene) {

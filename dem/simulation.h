@@ -51,15 +51,19 @@ class Simulation {
 
   // The laws from here on, e.g. once stones may bond; memories are kept.
   void set_laws(const Law& pair_law, const std::vector<Law>& wall_laws);
-  void set_drag(double rate) { drag_ = rate; }  // [1/s], see advance_stones
+  void set_drag(double rate) { drag_ = rate; }          // [1/s], see advance_stones
+  double drag() const { return drag_; }                 // [1/s]
+  double gravity() const { return settings_.gravity; }  // [m/s2]
 
   double time() const { return time_; }               // [s]
-  double time_step() const { return clock_.step(); }  // [s]
+  double time_step() const { return clock_.step(); }  // of the next step [s]
+  double last_step() const { return last_step_; }     // length of the step before [s]
   std::int64_t steps() const { return steps_; }
   std::int64_t rebuilds() const { return rebuilds_; }
   std::string limiting_contact() const { return limiting_; }
   const ParticleStore& stones() const { return stones_; }
   std::vector<Wall>& walls() { return walls_; }
+  const std::vector<Wall>& walls() const { return walls_; }
   const std::vector<Crack>& cracks() const { return cracks_; }
   std::vector<int> coordination() const;  // stones that touch each stone, by place
   const PairContacts<Law>& pairs() const { return pairs_; }

@@ -16,6 +16,13 @@ namespace dem {
 template <ContactLaw Law>
 class WallContacts {
  public:
+  struct Touch {
+    SlotForce action;  // on the stone
+    Vec3d point;       // of contact [m]
+    double push;       // [N]
+    Stencil stencil;   // of an elastic wall
+  };
+
   Law law;
   ContactHistory<Law> history;
   std::vector<std::int32_t> stones;  // one per slot (padded), in rising store order
@@ -36,15 +43,9 @@ class WallContacts {
                 std::vector<StoneLoad>& loads) const;
 
   std::int64_t slots() const { return slots_; }
+  const Touch& touch(std::int64_t slot) const { return touches_[slot]; }
 
  private:
-  struct Touch {
-    SlotForce action;
-    Vec3d point;      // of contact [m]
-    double push;      // [N]
-    Stencil stencil;  // of an elastic wall
-  };
-
   template <class T>
   void evaluate_at(ParticleStore& particles, const Wall& wall, double dt, double horizon,
                    std::int64_t slot, Extremes& extremes);

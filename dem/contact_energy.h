@@ -1,0 +1,55 @@
+// What a contact stores, and what it loses in a step: the words of the energy ledger, which asks
+// every law for
+//   Stored stored(law, seen)       of a contact as it is, from its memory alone;
+//   Lost lost(law, before, now)    in the step between two looks, the law's time step being its
+//   length.
+// Each loss is the work of its own mechanism, force x displacement, forces being means of both ends
+// of the step (see energy_ledger.h); none is what a balance leaves.
+#pragma once
+
+#include "dem/contact.h"
+
+namespace dem {
+
+// A contact at the end of a step, lent to its law.
+template <class Law>
+struct Seen {
+  const Contact<double>& contact;
+  const typename Law::template Memory<double>& memory;
+};
+
+struct Stored {
+  double stone = 0, binder = 0;  // [J]
+
+  friend Stored operator+(const Stored& a, const Stored& b) {
+    return {a.stone + b.stone, a.binder + b.binder};
+  }
+};
+
+// All in J.
+struct Lost {
+  double binder = 0;      // in the dashpots of the binder
+  double friction = 0;    // of stones and films that slip
+  double stone_area = 0;  // shear that stone contacts forget as their area changes
+  double film_area = 0;   // the same of films
+  double damping = 0;     // of the restitution of stones
+  double bond = 0;        // by bonds that yield and break
+  double fracture = 0;    // of stiffness that stones lose, less what they get back
+
+  Lost& operator+=(const Lost& other) {
+    binder += other.binder;
+    friction += other.friction;
+    stone_area += other.stone_area;
+    film_area += other.film_area;
+    damping += other.damping;
+    bond += other.bond;
+    fracture += other.fracture;
+    return *this;
+  }
+  friend Lost operator+(Lost a, const Lost& b) { return a += b; }
+  double sum() const {
+    return binder + friction + stone_area + film_area + damping + bond + fracture;
+  }
+};
+
+}  // namespace dem
