@@ -15,6 +15,18 @@ import numpy as np
 
 INK, BLUE, RED = "#222222", "#2166ac", "#b2182b"
 
+# Kinds of energy in the order they are stacked: column, words, colour.
+ENERGIES = [("energy_kinetic", "kinetic", "#000000"),
+            ("energy_stone_elastic", "stone, elastic", "#053061"),
+            ("energy_binder_stored", "binder, stored", "#2166ac"),
+            ("energy_binder_dissipated", "binder, dissipated", "#d6604d"),
+            ("energy_film_area_change", "film, area changed", "#f4a582"),
+            ("energy_friction", "friction", "#b2182b"),
+            ("energy_stone_area_change", "stone contact, area changed", "#fddbc7"),
+            ("energy_damping", "damping", "#bababa"),
+            ("energy_bond_breaking", "bonds broken", "#762a83"),
+            ("energy_fracture", "fracture", "#1b7837")]
+
 # Stored unit: the unit that is shown, and the factor between them.
 SHOWN_AS = {"Pa": ("kPa", 1e-3), "m": ("mm", 1e3), "1": ("-", 1)}
 
@@ -96,6 +108,29 @@ def draw_pressure(axes, run, x):
     axes.legend()
 
 
+def draw_energies(figure, run):
+    """Where the work went since the history began; what gave energy back lies below zero."""
+    kinds, residual = figure.subplots(2, 1, sharex=True, height_ratios=[3, 1])
+    time, above, below = run.shown("time"), 0.0, 0.0
+    for column, legend, colour in ENERGIES:
+        gained = run.columns[column] - run.columns[column][0]
+        if not np.any(gained):
+            continue
+        top, bottom = above + np.maximum(gained, 0), below + np.minimum(gained, 0)
+        kinds.fill_between(time, above, top, color=colour, linewidth=0, label=legend)
+        kinds.fill_between(time, below, bottom, color=colour, linewidth=0)
+        above, below = top, bottom
+    work = run.columns["energy_work_of_walls"] + run.columns["energy_work_of_gravity"]
+    kinds.plot(time, work - work[0], color=INK, label="work of walls and weight")
+    kinds.set_title("Where the work goes")
+    kinds.set_ylabel("energy [J]")
+    kinds.legend(loc="upper left", bbox_to_anchor=(1, 1))
+    residual.plot(time, 100 * run.columns["energy_residual_share"], color=INK)
+    residual.set_title("Not accounted for")
+    residual.set_xlabel(run.label("time", "time"))
+    residual.set_ylabel("of the work [%]")
+
+
 def draw_gyratory(figure, run):
     gyration, time = ("gyration", "gyrations"), ("time", "time")
     axes = figure.subplots(3, 2)
@@ -126,9 +161,15 @@ def draw_flow_test(figure, run):
 
 def picture(run, title):
     gyratory = "gyration" in run.columns
-    figure = plt.figure(figsize=(10, 10) if gyratory else (7, 9), layout="constrained")
+    booked = "energy_residual" in run.columns
+    width, height = (10, 10) if gyratory else (7, 9)
+    figure = plt.figure(figsize=(width, height + 4 * booked), layout="constrained")
     figure.suptitle(title, x=0.01, ha="left", fontsize=13)
-    (draw_gyratory if gyratory else draw_flow_test)(figure, run)
+    upper = figure
+    if booked:
+        upper, lower = figure.subfigures(2, 1, height_ratios=[height, 4])
+        draw_energies(lower, run)
+    (draw_gyratory if gyratory else draw_flow_test)(upper, run)
     return figure
 
 

@@ -7,7 +7,9 @@
 // never negative (Young's inequality), and the dashpot turns k (h - v) dH(v) >= 0 into heat. Both
 // follow from F dh = dE + dD alone; on monotonic loading other splits of F dh are possible, since
 // the law leaves open what its half-space stores.
-// Film: springs G A / b in series with dashpots, which store T^2 / 2k each.
+// Film: springs G A / b in series with dashpots, which store T^2 / 2k each. Where the area shrinks,
+// what the parted film held is lost; where it grows, the law no longer tells old film, strained,
+// from new film, and what it cannot give back any more is counted as lost.
 #pragma once
 
 #include <cmath>
