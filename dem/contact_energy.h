@@ -1,10 +1,10 @@
-// What a contact stores, and what it loses in a step: the words of the energy ledger, which asks
-// every law for
-//   Stored stored(law, seen)       of a contact as it is, from its memory alone;
-//   Lost lost(law, before, now)    in the step between two looks, the law's time step being its
-//   length.
-// Each loss is the work of its own mechanism, force x displacement, forces being means of both ends
-// of the step (see energy_ledger.h); none is what a balance leaves.
+// What a contact stores and what it loses in a step. The energy ledger asks every law for
+//   Stored stored(law, seen)     of a contact as it is, from its memory;
+//   Lost lost(law, before, now)  in a step that is as long as the law's time step.
+// Friction, dashpots and damping lose force x displacement, forces being means of both ends of the
+// step (see energy_ledger.h). What springs forget at once, where areas change, bonds part or stones
+// break, is what they held less what they hold after it, and less what the force of the old state
+// still did in the half step that was left to it.
 #pragma once
 
 #include "dem/contact.h"
