@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <optional>
 
 #include "apps/ledger.h"
 #include "dem/observe.h"
@@ -63,8 +62,9 @@ dem::Simulation<Law> make_bed(const StonesScene& stones, const Mix& mix, const L
 // dies out by a drag of twice the rate of free fall over the depth of the gas, which only this
 // stage has. Stops with NumericalTrouble if the bed does not come to rest within 100 such times.
 template <class Law>
-void settle(dem::Simulation<Law>& bed, std::optional<dem::EnergyLedger<Law>>& ledger,
-            const FillScene& fill, const std::function<void(double progress)>& report) {
+void settle(dem::Simulation<Law>& bed, const FillScene& fill,
+            const std::function<void(double progress)>& report,
+            dem::EnergyLedger<Law>* ledger = nullptr) {
   constexpr double gravity = 9.81;  // [m/s2]
   const dem::ParticleStore& stones = bed.stones();
   double threshold = 0;

@@ -77,9 +77,10 @@ FlowRun<Law>::FlowRun(const FlowTestScene& scene, const Mix& mix, const LawBook&
 template <class Law>
 void FlowRun<Law>::fill(Progress& progress) {
   if (scene_.output.energy_ledger) ledger_.emplace();
-  settle(bed_, ledger_, scene_.fill, [&](double rest) {
+  const auto report = [&](double rest) {
     progress.report(rest, fmt::format("settling: time {:.2f} s, rest {:.1e}", bed_.time(), rest));
-  });
+  };
+  settle(bed_, scene_.fill, report, ledger_ ? &*ledger_ : nullptr);
   if (!ledger_) return;
   settling_residual_ = ledger_->energies().residual_share();
   ledger_->restart();

@@ -98,9 +98,10 @@ Law GyratoryRun<Law>::wall_law(Part part, bool bonds) const {
 template <class Law>
 void GyratoryRun<Law>::fill(Progress& progress) {
   if (scene_.output.energy_ledger) ledger_.emplace();
-  settle(bed_, ledger_, scene_.fill, [&](double rest) {
+  const auto report = [&](double rest) {
     progress.report(rest, fmt::format("settling: time {:.2f} s, rest {:.1e}", bed_.time(), rest));
-  });
+  };
+  settle(bed_, scene_.fill, report, ledger_ ? &*ledger_ : nullptr);
   settled_steps_ = bed_.steps();
   if (!ledger_) return;
   settling_residual_ = ledger_->energies().residual_share();
