@@ -115,8 +115,8 @@ void EnergyLedger<Law>::look_at_stones(const Simulation<Law>& bed) {
   for (std::size_t k = 0; k < stones.size(); ++k) {
     const double inertia = stones.inertia_scale * stones.mass[k];
     const double moment = 0.4 * inertia * stones.radius[k] * stones.radius[k];
-    const Vec3d velocity = stones.velocity[k] + stones.force[k] * (0.5 * dt / inertia);
-    const Vec3d spin = stones.spin[k] + stones.torque[k] * (0.5 * dt / moment);
+    const Vec3d velocity = stones.velocity[k] + stones.load[k].force * (0.5 * dt / inertia);
+    const Vec3d spin = stones.spin[k] + stones.load[k].torque * (0.5 * dt / moment);
     moving += 0.5 * inertia * dot(velocity, velocity);
     turning += 0.5 * moment * dot(spin, spin);
     dragged += inertia * dot(stones.velocity[k], stones.velocity[k]) +
@@ -222,8 +222,10 @@ Contact<double> EnergyLedger<Law>::pair_contact(const ParticleStore& stones, std
   const Vec3d rate = stones.velocity[i] - stones.velocity[j];
   const double half = 0.5 * contact.overlap;
   const Vec3d rolling = (outer_i - half) * stones.spin[i] + (outer_j - half) * stones.spin[j];
-  const Vec3d surface = rate - cross(rolling, n);
-  contact.closing = -dot(rate, n);
+  const double closing = -dot(rate, n);
+  const Vec3d middle = n - (rate + n * closing) * (0.5 * dt / distance);  // of the step
+  const Vec3d surface = rate - cross(rolling, middle);
+  contact.closing = closing;
   contact.sliding = (surface - n * dot(surface, n)) * dt;
   const Vec3d twist = n * (0.5 * dot(stones.spin[i] + stones.spin[j], n));
   contact.turn = (cross(n, rate) * (1 / distance) + twist) * dt;

@@ -26,19 +26,27 @@ double damping_force(const Mindlin<Normal>& law, const Contact<double>& contact)
   return law.normal(d, contact).force - Hertz<>{law.normal.modulus}(d, contact).force;
 }
 
+// Of the shear spring [N/m]; 0 if stones do not touch, where the compliance is 0 or beyond all
+// size.
+template <class Memory>
+double shear_stiffness(const Memory& memory) {
+  return memory.compliance > 0 && memory.compliance < 1e100 ? 1 / memory.compliance : 0;
+}
+
 template <class Memory>
 double shear_energy(const Memory& memory) {
-  return memory.stiffness > 0 ? dot(memory.shear, memory.shear) / (2 * memory.stiffness) : 0;
+  const double k = shear_stiffness(memory);
+  return k > 0 ? dot(memory.shear, memory.shear) / (2 * k) : 0;
 }
 
 template <class Normal, class Whole>
 Lost shear_lost(const Mindlin<Normal>&, const Seen<Whole>& before, const Seen<Whole>& now) {
-  if (before.memory.stiffness <= 0 && now.memory.stiffness <= 0) return {};
+  const double old_k = shear_stiffness(before.memory), k = shear_stiffness(now.memory);
+  if (old_k <= 0 && k <= 0) return {};
   const Vec3d& sliding = now.contact.sliding;
   const Vec3d old = carried(before.memory.shear, now.contact);
-  const double k = now.memory.stiffness;
   if (k <= 0) return {.stone_area = shear_energy(before.memory) - 0.5 * dot(old, sliding)};
-  const Vec3d kept = old * smaller(k / larger(before.memory.stiffness, 1e-300), 1.0);
+  const Vec3d kept = old * smaller(k / larger(old_k, 1e-300), 1.0);
   const Vec3d slip = (kept - now.memory.shear) * (1 / k) - sliding;  // against the force [m]
   const Vec3d stretch = -sliding - slip;
   return {.friction = 0.5 * dot(old + now.memory.shear, slip),
