@@ -1,7 +1,9 @@
 #include "apps/document.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <filesystem>
 #include <set>
 #include <string_view>
 
@@ -263,7 +265,64 @@ void apply_option(Document& document, const std::string& option, Mistakes& mista
   }
 }
 
+// Lays a document over the one that it includes.
+Document overlaid(Document base, const Document& document) {
+  base.path = document.path;
+  base.text = document.text;
+  for (const auto& [name, place] : document.sections) base.sections[name] = place;
+  for (const auto& [key, value] : document.values) {
+    const std::string* word = std::get_if<std::string>(&value.content);
+    if (word && *word == "none") {
+      remove(base, key, value.key);
+    } else {
+      base.removed.erase(key);
+      base.values.insert_or_assign(key, value);
+    }
+  }
+  return base;
+}
+
+// `trail`: the files that include this one, outermost first.
+Document read_file(const std::string& path, const std::string& text, Mistakes& mistakes,
+                   std::vector<std::string> trail) {
+  Document document;
+  document.path = path;
+  document.text = text;
+  Parser(document, mistakes).parse();
+  const Value* include = document.find("include");
+  if (!include) return document;
+  const Value asked = *include;
+  document.values.erase("include");
+  const std::string* base = std::get_if<std::string>(&asked.content);
+  if (!base) {
+    mistakes.add(asked.place, "for include the path of a scene", asked.written,
+                 "write it like include = \"base.toml\"");
+    return document;
+  }
+  const std::string base_path =
+      (std::filesystem::path(path).parent_path() / *base).lexically_normal().string();
+  trail.push_back(std::filesystem::path(path).lexically_normal().string());
+  if (std::ranges::find(trail, base_path) != trail.end()) {
+    mistakes.add(asked.place, "a file that does not include this one", asked.written,
+                 "remove one of the two includes");
+    return document;
+  }
+  const std::optional<std::string> base_text = read_text(base_path);
+  if (!base_text) {
+    mistakes.add(asked.place, "a scene to include", "no file to read at " + base_path,
+                 "give the path from the folder of this file");
+    return document;
+  }
+  return overlaid(read_file(base_path, *base_text, mistakes, trail), document);
+}
+
 }  // namespace
+
+std::string Document::path_from(const std::string& key, const std::string& relative) const {
+  const std::string& source = place(key).source;
+  const std::filesystem::path file = source.starts_with("--set") ? path : source;
+  return (file.parent_path() / relative).lexically_normal().string();
+}
 
 const Value* Document::find(const std::string& key) const {
   const auto found = values.find(key);
@@ -282,13 +341,10 @@ Place Document::place(const std::string& key) const {
 
 Document read_document(const std::string& path, const std::vector<std::string>& overrides,
                        Mistakes& mistakes) {
-  Document document;
-  document.path = path;
   const std::optional<std::string> text = read_text(path);
   if (!text)
     throw InputError({path + ": expected a scene file, found none to read; check the path"});
-  document.text = *text;
-  Parser(document, mistakes).parse();
+  Document document = read_file(path, *text, mistakes, {});
   for (const std::string& option : overrides) apply_option(document, option, mistakes);
   return document;
 }

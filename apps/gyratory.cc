@@ -5,6 +5,8 @@
 
 #include "apps/gyratory_run.h"
 #include "apps/program.h"
+#include "apps/scene_manual.h"
+#include "apps/scene_record.h"
 
 namespace {
 
@@ -15,33 +17,39 @@ void compact(const apps::Options& options) {
   const apps::LawBook book(scene.stones, scene.binder, mix);
   book.check(scene.source);
   if (options.check) return;
+  if (apps::is_finished(options)) return;
 
   apps::use_threads(options, scene.stones.count);
-  const double began = apps::wall_clock();
-  apps::claim_folder(options.out);
   apps::with_law(book, [&]<class Law>() {
-    apps::Recorder recorder(
-        options.out + "/results.h5",
-        apps::provenance("gyratory", options, scene.source.text, scene.run.seed),
-        apps::GyratoryRun<Law>::columns());
-    apps::Progress progress(std::cout, isatty(STDOUT_FILENO), options.quiet);
+    apps::Session session(options, apps::stored_scene(scene, options),
+                          apps::provenance("gyratory", options, scene.source.text, scene.run.seed),
+                          apps::GyratoryRun<Law>::columns());
     apps::GyratoryRun<Law> run(scene, mix, book, machine);
-    run.fill(progress);
-    progress.finish();
-    run.close();
-    recorder.write("/mould/diameter", std::array{2 * machine.mould_radius}, "m");
-    recorder.write("/stones/radius", mix.radius, "m");
-    apps::Progress compaction(std::cout, isatty(STDOUT_FILENO), options.quiet);
     apps::GyratoryPictures pictures(options.out);
-    run.compact(recorder, pictures, compaction);
-    apps::write_summary(options.out + "/summary.json", run.findings(apps::wall_clock() - began));
+    const apps::State state = [&](apps::Archive& item) {
+      run.visit_state(item);
+      pictures.visit_state(item);
+    };
+    session.restore(state);
+    const apps::Pulse pulse = session.pulse(state, scene.output.checkpoint_interval);
+
+    apps::Progress settling(std::cout, isatty(STDOUT_FILENO), options.quiet);
+    run.fill(settling, pulse);
+    settling.finish();
+    run.close();
+    session.recorder().write("/mould/diameter", std::array{2 * machine.mould_radius}, "m");
+    session.recorder().write("/stones/radius", mix.radius, "m");
+    apps::Progress compaction(std::cout, isatty(STDOUT_FILENO), options.quiet);
+    run.compact(session.recorder(), pictures, compaction, pulse);
+    apps::write_summary(session.file("summary.json"), run.findings(session.wall_seconds()));
   });
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return apps::run_program(argc, argv,
-                           "Gyratory compaction of hot asphalt mix in a steel mould (DEM + FE).",
-                           "run", compact);
+  const apps::Program program = {
+      "Gyratory compaction of hot asphalt mix in a steel mould (DEM + FE).", "run",
+      apps::gyratory_scene_manual, apps::gyratory_scene_schema};
+  return apps::run_program(argc, argv, program, compact);
 }

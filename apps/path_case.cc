@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
 #include <numeric>
 
 #include "apps/laws.h"
@@ -206,11 +205,9 @@ PathCase read_path_case(const std::string& path, const std::vector<std::string>&
   read_sections(describe(the_case, file), document, units, mistakes);
   const CaseCheck cross(document, mistakes);
   cross.check(the_case);
-  if (!file.empty()) {
-    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  if (!file.empty())
     the_case.path =
-        read_path((folder / file).lexically_normal().string(), cross.place("path.file"), mistakes);
-  }
+        read_path(document.path_from("path.file", file), cross.place("path.file"), mistakes);
   if (mistakes.any()) throw InputError(mistakes.lines());
   return the_case;
 }

@@ -53,7 +53,7 @@ struct BinderScene {
   std::vector<double> alpha;          // [-], sum <= 1, before the bitumen fraction is applied
   std::vector<double> tau;            // [s], as many as alpha
   double bond_energy = 1e4;           // w, work of separation [J/m2]
-  bool wall_bonds = false;            // do shells bond to walls too; false: steel with release agent
+  bool wall_bonds = false;  // do shells bond to walls too; false: steel with release agent
 };
 
 struct FillScene {
@@ -122,8 +122,9 @@ struct NumericsScene {
 };
 
 struct OutputScene {
-  double history_interval = 0.01;  // [s]
-  double picture_interval = 0;     // [s]; 0: pictures of the end only
+  double history_interval = 0.01;    // [s]
+  double picture_interval = 0;       // [s]; 0: pictures of the end only
+  double checkpoint_interval = 600;  // of wall time [s]
 };
 
 struct GyratoryScene {

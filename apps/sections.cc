@@ -3,7 +3,7 @@
 namespace apps {
 namespace {
 
-constexpr Unit second{"s", "s"};
+constexpr Unit second{"s", "s"}, minute{"min", "s"};
 constexpr const char* ours = "our choice";
 
 }  // namespace
@@ -26,7 +26,9 @@ Section describe(OutputScene& output) {
           {{&output.history_interval, "history_interval", second, positive,
             "of simulated time between the rows of the histories", ours},
            {&output.picture_interval, "picture_interval", second, at_least(0),
-            "of simulated time between pictures; 0: only the end", ours}}};
+            "of simulated time between pictures; 0: only the end", ours},
+           {&output.checkpoint_interval, "checkpoint_interval", minute, positive,
+            "of wall time between checkpoints, from which --resume goes on", ours}}};
 }
 
 std::vector<Section> describe(GyratoryScene& scene) {
