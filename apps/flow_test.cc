@@ -5,11 +5,26 @@
 
 #include "apps/flow_box.h"
 #include "apps/flow_run.h"
+#include "apps/forecast.h"
 #include "apps/program.h"
 #include "apps/scene_manual.h"
 #include "apps/scene_record.h"
 
 namespace {
+
+void foretell(const apps::FlowTestScene& scene, const apps::Mix& mix, const apps::LawBook& book) {
+  constexpr double usual_pressure = 100e3;  // under the strip (Olsson, Jelagin, Partl, figure 3)
+  const apps::FlowScene& flow = scene.flow;
+  const apps::BedPlan plan = {scene.stones, scene.fill, scene.numerics, scene.run.seed,
+                              dem::RectangularMould{flow.length, flow.width}};
+  const apps::Loading loading = {usual_pressure, flow.speed / flow.strip_length,
+                                 flow.displacement / flow.speed, std::min(flow.length, flow.width)};
+  apps::with_law(book, [&]<class Law>() {
+    const apps::BedForecast told = apps::forecast_bed<Law>(plan, mix, book, loading);
+    for (const std::string& line : apps::forecast_lines(told, scene.numerics))
+      std::cout << line << '\n';
+  });
+}
 
 void press(const apps::Options& options) {
   const apps::FlowTestScene scene = apps::read_flow_scene(options.scene, options.overrides);
@@ -17,10 +32,11 @@ void press(const apps::Options& options) {
   const apps::LawBook book(scene.stones, scene.binder, mix);
   book.check(scene.source);
   apps::check_box(scene, mix);
-  if (options.check) return;
+  if (options.check && options.quiet) return;
+  apps::use_threads(options, scene.stones.count);
+  if (options.check) return foretell(scene, mix, book);
   if (apps::is_finished(options)) return;
 
-  apps::use_threads(options, scene.stones.count);
   apps::with_law(book, [&]<class Law>() {
     apps::Session session(options, apps::stored_scene(scene, options),
                           apps::provenance("flow_test", options, scene.source.text, scene.run.seed),

@@ -3,6 +3,7 @@
 
 #include <iostream>
 
+#include "apps/gyratory_forecast.h"
 #include "apps/gyratory_run.h"
 #include "apps/program.h"
 #include "apps/scene_manual.h"
@@ -10,16 +11,31 @@
 
 namespace {
 
+void foretell(const apps::GyratoryScene& scene, const apps::Mix& mix, const apps::Machine& machine,
+              const apps::LawBook& book) {
+  const apps::BedPlan plan = {scene.stones, scene.fill, scene.numerics, scene.run.seed,
+                              dem::RoundMould{machine.mould_radius}};
+  const apps::Loading loading = apps::gyratory_loading(scene, machine);
+  std::cout << "mould            " << 2e3 * machine.mould_radius << " mm wide\n";
+  apps::with_law(book, [&]<class Law>() {
+    const apps::BedForecast told = apps::forecast_bed<Law>(plan, mix, book, loading);
+    for (const std::string& line : apps::forecast_lines(told, scene.numerics))
+      std::cout << line << '\n';
+  });
+  for (const std::string& line : apps::steel_forecast(scene, machine)) std::cout << line << '\n';
+}
+
 void compact(const apps::Options& options) {
   const apps::GyratoryScene scene = apps::read_gyratory_scene(options.scene, options.overrides);
   const apps::Mix mix = apps::prepare_mix(scene.stones, scene.binder, scene.run.seed);
   const apps::Machine machine = apps::size_machine(scene, mix);
   const apps::LawBook book(scene.stones, scene.binder, mix);
   book.check(scene.source);
-  if (options.check) return;
+  if (options.check && options.quiet) return;
+  apps::use_threads(options, scene.stones.count);
+  if (options.check) return foretell(scene, mix, machine, book);
   if (apps::is_finished(options)) return;
 
-  apps::use_threads(options, scene.stones.count);
   apps::with_law(book, [&]<class Law>() {
     apps::Session session(options, apps::stored_scene(scene, options),
                           apps::provenance("gyratory", options, scene.source.text, scene.run.seed),

@@ -155,6 +155,8 @@ std::optional<PathPoint> point_of(const std::string& line, const Place& place, M
   return PathPoint{numbers[0], numbers[1], numbers[2]};
 }
 
+}  // namespace
+
 std::vector<PathPoint> read_path(const std::string& file, const Place& asked, Mistakes& mistakes) {
   std::vector<PathPoint> path;
   const std::optional<std::string> text = read_text(file);
@@ -193,8 +195,6 @@ std::vector<PathPoint> read_path(const std::string& file, const Place& asked, Mi
     mistakes.add({file, number, 1}, "rows of " + std::string(header), "none", "add some");
   return path;
 }
-
-}  // namespace
 
 PathCase read_path_case(const std::string& path, const std::vector<std::string>& overrides) {
   const UnitSystem units;

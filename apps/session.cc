@@ -51,6 +51,11 @@ Session::Session(const Options& options, const StoredScene& scene, const Provena
 }
 
 Session::~Session() {
+  std::error_code error;
+  if (std::uncaught_exceptions() > exceptions_ &&
+      std::filesystem::exists(folder_.file("checkpoint"), error))
+    tell(folder_.path() + ": kept up to its last checkpoint; go on from there with --resume " +
+         folder_.path());
   if (recorder_->replaced() > 0)
     tell(folder_.path() + ": " + std::to_string(recorder_->replaced()) +
          " rows of the history were not what the run had found before it was interrupted; bits are "
@@ -95,8 +100,7 @@ Pulse Session::pulse(State state, double interval) {
       write_checkpoint(state);
       due.checkpoint = wall_clock() + interval;
     }
-    if (signal != 0)
-      throw Stopped(signal, "stopped and kept; go on with --resume " + folder_.path());
+    if (signal != 0) throw Stopped(signal, "stopped by signal " + std::to_string(signal));
     if (clock > due.flush) {
       recorder_->flush();
       due.flush = wall_clock() + flush_interval;

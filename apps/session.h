@@ -1,6 +1,7 @@
 // One run of a program in its folder, begun or continued: its results, its checkpoints, its end.
 #pragma once
 
+#include <exception>
 #include <functional>
 #include <optional>
 #include <string>
@@ -44,6 +45,7 @@ class Session {
   Checkpoints checkpoints_;
   std::optional<Archive> earlier_;
   std::optional<Recorder> recorder_;
+  int exceptions_ = std::uncaught_exceptions();
   double began_;                // on the wall clock [s]
   double earlier_seconds_ = 0;  // spent by earlier sessions [s]
 };

@@ -43,7 +43,7 @@ struct Bed {
     lid.name = "lid";
     lid.surface = dem::Disc{0.012};
     lid.frame.origin = {0, 0, 1.1 * dem::mean_of_highest(bed.stones(), 1)};
-    lid.motion = dem::Driven{{0, 0, -0.05}};
+    lid.motion = dem::Driven{{0, 0, -0.012}};
     for (const dem::Wall& wall : {floor, ring, lid}) bed.add_wall(wall, wall_law);
     return bed;
   }
@@ -62,10 +62,10 @@ struct Bed {
 TEST(state, of_a_bed_is_all_that_the_next_steps_depend_on) {
   // Continued from any step, the whole state at the end is the same, bit by bit: lists that were
   // just made or are old, looks at the time step in any phase, bonds, cracks.
-  constexpr std::int64_t end = 40000;
+  constexpr std::int64_t end = 5000;
   Bed unbroken;
   std::vector<std::string> states;
-  std::vector<std::int64_t> moments = {0, 1, 15, 16, 17, 4999, 20000, 30001, 38403, 39999};
+  std::vector<std::int64_t> moments = {0, 1, 15, 16, 17, 999, 2000, 3001, 3999, 4803, 4999};
   for (const std::int64_t moment : moments) {
     unbroken.step_to(moment);
     states.push_back(unbroken.state());
@@ -73,7 +73,7 @@ TEST(state, of_a_bed_is_all_that_the_next_steps_depend_on) {
   unbroken.step_to(end);
   EXPECT_GT(unbroken.simulation.pairs().held(), 0);
   EXPECT_GT(unbroken.simulation.cracks().size(), 0u);
-  EXPECT_GT(unbroken.simulation.rebuilds(), 50);
+  EXPECT_GT(unbroken.simulation.rebuilds(), 20);
   for (std::size_t m = 0; m < moments.size(); ++m) {
     Bed continued;
     apps::Archive archive(states[m]);
