@@ -1,9 +1,10 @@
 #!/usr/bin/python3
 """Draws a run at a glance: `plot_run.py DIR` makes DIR/run.png from DIR/results.h5.
 
-Several folders give DIR/compared.png with their curves laid over each other; --report makes one page
-of it all that needs no other file. With --live the picture is drawn again while the run goes on: results.h5 is replaced as a whole every
-few seconds, so that whoever opens it reads a complete file."""
+Several folders give DIR/compared.png with their curves laid over each other; --report makes one
+page of it all that needs no other file. With --live the picture is drawn again while the run goes
+on: results.h5 is replaced as a whole every few seconds, so that whoever opens it reads a complete
+file."""
 
 import argparse
 import copy
@@ -181,7 +182,7 @@ def compare(folders):
     runs = {folder.resolve().name: read(folder) for folder in folders}
     kinds = {"gyration" if "gyration" in run.columns else "displacement" for run in runs.values()}
     if len(kinds) > 1:
-        sys.exit("expected runs of one program, found gyratory runs and flow tests; plot them apart")
+        sys.exit("expected runs of one program, found both; plot them apart")
     x = kinds.pop()
     figure = plt.figure(figsize=(10, 3.3 * len(COMPARED[x]) / 2), layout="constrained")
     panels = figure.subplots(len(COMPARED[x]) // 2, 2)
@@ -210,7 +211,8 @@ def embedded(figure):
 
 PAGE = """<!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8"><title>{title}</title><style>
-body {{ font: 15px/1.45 sans-serif; color: #222; max-width: 1050px; margin: 2em auto; padding: 0 1em }}
+body {{ font: 15px/1.45 sans-serif; color: #222; max-width: 1050px; margin: 2em auto;
+       padding: 0 1em }}
 svg {{ max-width: 100%; height: auto }} td, th {{ text-align: left; padding: .15em 1.2em .15em 0 }}
 pre {{ background: #f5f5f5; padding: 1em; overflow-x: auto }} h2 {{ margin-top: 1.8em }}
 </style></head><body><h1>{title}</h1>
@@ -222,7 +224,8 @@ pre {{ background: #f5f5f5; padding: 1em; overflow-x: auto }} h2 {{ margin-top: 
 def table(rows, head):
     lines = ["<tr>" + "".join(f"<th>{html.escape(word)}</th>" for word in head) + "</tr>"]
     for row in rows:
-        lines.append("<tr>" + "".join(f"<td>{html.escape(str(word))}</td>" for word in row) + "</tr>")
+        cells = "".join(f"<td>{html.escape(str(word))}</td>" for word in row)
+        lines.append(f"<tr>{cells}</tr>")
     return "<table>" + "\n".join(lines) + "</table>"
 
 

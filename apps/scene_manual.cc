@@ -136,6 +136,8 @@ std::string schema() {
   Scene scene;
   Json root = closed_object();
   root["$schema"] = "https://json-schema.org/draft/2020-12/schema";
+  root["properties"]["include"] = {{"type", "string"},
+                                   {"description", "path of the scene that this one lies over"}};
   for (const Section& section : describe(scene)) {
     const auto required = [](const Parameter& p) { return p.presence.need == Need::required; };
     if (!section.drop && std::ranges::any_of(section.parameters, required))

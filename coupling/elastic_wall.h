@@ -36,7 +36,7 @@ class ElasticWall {
 
   const fem::ReducedBody& body() const { return body_; }
   const Eigen::VectorXd& amplitude() const { return amplitude_; }  // of the modes [m]
-  const Eigen::VectorXd& gain() const { return gain_; }  // bound, of each mode [-]
+  const Eigen::VectorXd& gain() const { return gain_; }            // bound, of each mode [-]
   int oscillators() const { return static_cast<int>(oscillators_.size()); }
 
   // Shows, as in dem/state.h, the modes too: solvers may find them with other signs and last bits.
