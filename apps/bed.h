@@ -58,37 +58,62 @@ dem::Simulation<Law> make_bed(const StonesScene& stones, const Mix& mix, const L
   return dem::Simulation<Law>(std::move(store), law, settings);
 }
 
-// Lets the bed settle until its kinetic energy is below rest_energy x sum of m g R; motion also
-// dies out by a drag of twice the rate of free fall over the depth of the gas, which only this
-// stage has. Stops with NumericalTrouble if the bed does not come to rest within 100 such times.
+// How far the settling of a bed is.
+struct Settling {
+  double fall = 0;       // time of free fall over the depth of the gas [s]
+  double threshold = 0;  // kinetic energy of a bed at rest [J]
+  double start = 0;      // [s]
+  double next_look = 0;  // at the kinetic energy [s]
+  bool over = false;
+};
+
+// Begins to let a gas settle until its kinetic energy is below rest_energy x sum of m g R; motion
+// also dies out by a drag of twice the rate of free fall over the depth of the gas, which only this
+// stage has.
 template <class Law>
-void settle(dem::Simulation<Law>& bed, const FillScene& fill,
-            const std::function<void(double progress)>& report,
-            dem::EnergyLedger<Law>* ledger = nullptr) {
+Settling begin_settling(dem::Simulation<Law>& bed, const FillScene& fill) {
   constexpr double gravity = 9.81;  // [m/s2]
   const dem::ParticleStore& stones = bed.stones();
-  double threshold = 0;
+  Settling settling;
   for (std::size_t k = 0; k < stones.size(); ++k)
-    threshold += fill.rest_energy * stones.mass[k] * gravity * stones.radius[k];
+    settling.threshold += fill.rest_energy * stones.mass[k] * gravity * stones.radius[k];
   const double depth = dem::mean_of_highest(stones, 1);
-  const double fall = std::sqrt(2 * depth * stones.inertia_scale / gravity);
-  const double start = bed.time();
-  bed.set_drag(2 / fall);
-  while (true) {
-    const double next = bed.time() + 0.05 * fall;
-    while (bed.time() < next) {
+  settling.fall = std::sqrt(2 * depth * stones.inertia_scale / gravity);
+  settling.start = bed.time();
+  settling.next_look = bed.time() + 0.05 * settling.fall;
+  bed.set_drag(2 / settling.fall);
+  return settling;
+}
+
+// Goes on until the bed is at rest. Stops with NumericalTrouble if it does not come to rest within
+// 100 times of free fall. `pulse` is called after every step.
+template <class Law>
+void settle(dem::Simulation<Law>& bed, Settling& settling,
+            const std::function<void(double progress)>& report,
+            const std::function<void()>& pulse) {
+  while (!settling.over) {
+    while (bed.time() < settling.next_look) {
       bed.step();
-      if (ledger) ledger->look(bed);
+      pulse();
     }
-    const double energy = dem::kinetic_energy(stones);
-    const double spent = (bed.time() - start) / fall;
-    report(std::min(1.0, threshold / energy));
-    if (spent > 1 && energy < threshold) break;
-    if (spent > 100)
+    settling.next_look = bed.time() + 0.05 * settling.fall;
+    const double energy = dem::kinetic_energy(bed.stones());
+    const double spent = (bed.time() - settling.start) / settling.fall;
+    report(std::min(1.0, settling.threshold / energy));
+    settling.over = spent > 1 && energy < settling.threshold;
+    if (!settling.over && spent > 100)
       throw dem::NumericalTrouble("kinetic energy [J] of a bed that does not come to rest",
-                                  stones.id.front(), bed.time(), energy);
+                                  bed.stones().id.front(), bed.time(), energy);
   }
   bed.set_drag(0);
+}
+
+// The two in one, for a bed that is not interrupted.
+template <class Law>
+void settle(dem::Simulation<Law>& bed, const FillScene& fill,
+            const std::function<void(double progress)>& report) {
+  Settling settling = begin_settling(bed, fill);
+  settle(bed, settling, report, [] {});
 }
 
 }  // namespace apps

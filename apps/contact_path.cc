@@ -134,8 +134,10 @@ void follow(const apps::Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return apps::run_program(argc, argv,
-                           "Drives one contact along a path and writes its force as a table (CSV): "
-                           "force_N and its parts push the bodies apart, shear_N resists shear_m.", "path_forces.csv",
-                           follow);
+  const apps::Program program = {
+      "Drives one contact along a path and writes its force as a table (CSV): force_N and its "
+      "parts "
+      "push the bodies apart, shear_N resists shear_m.",
+      "path_forces.csv"};
+  return apps::run_program(argc, argv, program, follow);
 }

@@ -1,220 +1,13 @@
 #include "apps/document.h"
 
-#include <array>
-#include <charconv>
-#include <set>
-#include <string_view>
+#include <algorithm>
+#include <filesystem>
 
 #include "apps/text.h"
+#include "apps/toml_document.h"
 
 namespace apps {
 namespace {
-
-struct Unparsable {};
-
-[[noreturn]] void refuse_text() {
-  throw Unparsable();
-}
-
-}  // namespace
-}  // namespace apps
-
-// toml++ 3.3 asserts on some malformed keys, such as "[\stones]", where it should report them:
-// here its assertions throw, whatever the build.
-#undef NDEBUG
-#define TOML_ASSERT(condition) ((condition) ? void() : apps::refuse_text())
-#include <toml++/toml.h>
-
-namespace apps {
-namespace {
-
-// A value as the user would write it.
-struct Writer {
-  std::string operator()(std::int64_t integer) const { return std::to_string(integer); }
-  std::string operator()(double real) const {
-    std::array<char, 32> text{};
-    return {text.data(), std::to_chars(text.begin(), text.end(), real).ptr};  // the shortest
-  }
-  std::string operator()(bool truth) const { return truth ? "true" : "false"; }
-  std::string operator()(const std::string& word) const { return '"' + word + '"'; }
-  std::string operator()(const std::vector<Value>& elements) const {
-    std::string text;
-    for (const Value& element : elements) text += (text.empty() ? "" : ", ") + element.written;
-    return '[' + text + ']';
-  }
-  std::string operator()(const Misfit& misfit) const { return misfit.kind; }
-  std::string operator()(const Broken&) const { return "nothing readable"; }
-};
-
-// Lays tables and values out flat. A --set option has one place for all it sets.
-class Flattener {
- public:
-  Flattener(Document& document, std::string source, bool is_option)
-      : document_(document), source_(std::move(source)), is_option_(is_option) {}
-
-  void flatten(const toml::table& table, const std::string& prefix) const {
-    for (const auto& [key, node] : table) {
-      const std::string name = prefix + std::string(key.str());
-      if (const toml::table* section = node.as_table()) {
-        document_.sections[name] = place(section->source());
-        flatten(*section, name + ".");
-      } else {
-        document_.values[name] = value(node, place(key.source()));
-      }
-    }
-  }
-
- private:
-  Place place(const toml::source_region& region) const {
-    if (is_option_) return {source_};
-    return {source_, static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
-  }
-
-  Value value(const toml::node& node, const Place& key) const {
-    Value value{Misfit{}, "", key, place(node.source())};
-    if (const auto* integer = node.as_integer()) {
-      value.content = integer->get();
-    } else if (const auto* real = node.as_floating_point()) {
-      value.content = real->get();
-    } else if (const auto* truth = node.as_boolean()) {
-      value.content = truth->get();
-    } else if (const auto* string = node.as_string()) {
-      value.content = string->get();
-    } else if (const auto* array = node.as_array()) {
-      std::vector<Value> elements;
-      for (const toml::node& element : *array) elements.push_back(this->value(element, key));
-      value.content = std::move(elements);
-    } else {
-      value.content = Misfit{node.is_table() ? "a table" : "a date or time"};
-    }
-    value.written = std::visit(Writer{}, value.content);
-    return value;
-  }
-
-  Document& document_;
-  std::string source_;
-  bool is_option_;
-};
-
-// One line of the text, to be mended in place so that the parser can go on to the next mistake.
-class Line {
- public:
-  Line(std::string& text, int number) : text_(text) {
-    for (int line = 1; line < number && begin_ != std::string::npos; ++line) {
-      begin_ = text.find('\n', begin_);
-      if (begin_ != std::string::npos) ++begin_;
-    }
-    if (begin_ == std::string::npos) begin_ = text.size();
-    length_ = std::min(text.find('\n', begin_), text.size()) - begin_;
-    equals_ = content().find('=');
-  }
-
-  bool has_pair() const { return equals_ != std::string::npos && !key().empty(); }
-  std::string key() const { return trimmed(content().substr(0, equals_)); }
-  std::string value() const {
-    const std::string_view rest = content().substr(equals_ + 1);
-    return trimmed(rest.substr(0, rest.find('#')));
-  }
-  int key_column() const { return static_cast<int>(content().find_first_not_of(" \t")) + 1; }
-  int value_column() const {
-    const auto first = content().find_first_not_of(" \t", equals_ + 1);
-    return static_cast<int>(first == std::string_view::npos ? equals_ : first) + 1;
-  }
-
-  void clear() { text_.replace(begin_, length_, ""); }
-  void set_value(const std::string& value) {
-    text_.replace(begin_ + equals_ + 1, length_ - equals_ - 1, value);
-  }
-
- private:
-  std::string_view content() const { return std::string_view(text_).substr(begin_, length_); }
-
-  std::string& text_;
-  std::size_t begin_ = 0, length_ = 0, equals_ = std::string::npos;
-};
-
-// Parses the text, mending each line that does not parse, so that one slip hides no other.
-class Parser {
- public:
-  Parser(Document& document, Mistakes& mistakes) : document_(document), mistakes_(mistakes) {}
-
-  void parse() {
-    std::string text = document_.text;
-    for (;;) {
-      try {
-        const toml::table table =
-            toml::parse(std::string_view(text), std::string_view(document_.path));
-        Flattener(document_, document_.path, false).flatten(table, "");
-        break;
-      } catch (const toml::parse_error& error) {
-        if (!mend(text, error)) throw InputError(mistakes_.lines());
-      } catch (const Unparsable&) {
-        mistakes_.add({document_.path, last_parsable_line(text) + 1, 1}, "TOML", "a malformed key",
-                      "mend this line; what follows it was not read");
-        throw InputError(mistakes_.lines());
-      }
-    }
-    for (auto& [name, value] : document_.values) {
-      if (broken_.contains(value.key.line)) value.content = Broken{};
-    }
-  }
-
- private:
-  static int last_parsable_line(const std::string& text) {
-    int line = 0;
-    for (std::size_t end = text.find('\n'); end != std::string::npos;
-         end = text.find('\n', end + 1)) {
-      try {
-        static_cast<void>(toml::parse(std::string_view(text).substr(0, end + 1)));
-      } catch (const toml::parse_error&) {  // a value that spans lines
-      } catch (const Unparsable&) {
-        return line;
-      }
-      ++line;
-    }
-    return line;
-  }
-
-  // Reports the error; false if the rest of the file cannot be told apart from it.
-  bool mend(std::string& text, const toml::parse_error& error) {
-    Place place{document_.path, static_cast<int>(error.source().begin.line),
-                static_cast<int>(error.source().begin.column)};
-    const std::string description(error.description());
-    const bool repeated = description.find("cannot redefine") != std::string::npos;
-    Line line(text, place.line);
-    const bool fresh = mended_.insert(place.line).second;
-    if (!line.has_pair() || !fresh) {
-      if (repeated) {
-        mistakes_.add(place, "each section once", "it again",
-                      "move its keys under the first header");
-      } else {
-        mistakes_.add(place, "TOML", "a syntax error (" + description + ")",
-                      "mend this line; what follows it was not read");
-      }
-      return false;
-    }
-    if (repeated) {
-      place.column = line.key_column();
-      mistakes_.add(place, "each key once", "\"" + line.key() + "\" again",
-                    "remove one of the two lines");
-      line.clear();
-      return true;
-    }
-    place.column = line.value_column();
-    const std::string value = line.value();
-    mistakes_.add(place, "a TOML value for \"" + line.key() + "\"",
-                  value.empty() ? "nothing" : "`" + value + "`",
-                  "a value with a unit or of words is written in quotes: \"600 kPa\"");
-    line.set_value(" 0");
-    broken_.insert(place.line);
-    return true;
-  }
-
-  Document& document_;
-  Mistakes& mistakes_;
-  std::set<int> mended_;
-  std::set<int> broken_;  // lines whose value was put in for one that did not parse
-};
 
 void remove(Document& document, const std::string& key, const Place& place) {
   const auto at_or_below = [&](const auto& item) {
@@ -223,17 +16,6 @@ void remove(Document& document, const std::string& key, const Place& place) {
   std::erase_if(document.values, at_or_below);
   std::erase_if(document.sections, at_or_below);
   document.removed[key] = place;
-}
-
-// The value alone as a table {value = ...}; as a string where it is not TOML.
-toml::table option_value(const std::string& value) {
-  try {
-    toml::table table = toml::parse("value = " + value);
-    if (table.size() == 1) return table;
-  } catch (const toml::parse_error&) {
-  } catch (const Unparsable&) {
-  }
-  return toml::table{{"value", value}};
 }
 
 void apply_option(Document& document, const std::string& option, Mistakes& mistakes) {
@@ -251,19 +33,67 @@ void apply_option(Document& document, const std::string& option, Mistakes& mista
   document.removed.erase(key);
   for (auto dot = key.find('.'); dot != std::string::npos; dot = key.find('.', dot + 1))
     document.sections.try_emplace(key.substr(0, dot), place);
-  const toml::table parsed = option_value(value);
-  Flattener flattener(document, place.source, true);
-  if (const toml::table* section = parsed["value"].as_table()) {
-    document.sections[key] = place;
-    flattener.flatten(*section, key + ".");
-  } else {
-    toml::table named;
-    named.insert(key, *parsed.get("value"));
-    flattener.flatten(named, "");
+  set_value(document, key, value, place);
+}
+
+// Lays a document over the one that it includes.
+Document overlaid(Document base, const Document& document) {
+  base.path = document.path;
+  base.text = document.text;
+  for (const auto& [name, place] : document.sections) base.sections[name] = place;
+  for (const auto& [key, value] : document.values) {
+    const std::string* word = std::get_if<std::string>(&value.content);
+    if (word && *word == "none") {
+      remove(base, key, value.key);
+    } else {
+      base.removed.erase(key);
+      base.values.insert_or_assign(key, value);
+    }
   }
+  return base;
+}
+
+// `trail`: the files that include this one, outermost first.
+Document read_file(const std::string& path, const std::string& text, Mistakes& mistakes,
+                   std::vector<std::string> trail) {
+  Document document;
+  document.path = path;
+  document.text = text;
+  parse_document(document, mistakes);
+  const Value* include = document.find("include");
+  if (!include) return document;
+  const Value asked = *include;
+  document.values.erase("include");
+  const std::string* base = std::get_if<std::string>(&asked.content);
+  if (!base) {
+    mistakes.add(asked.place, "for include the path of a scene", asked.written,
+                 "write it like include = \"base.toml\"");
+    return document;
+  }
+  const std::string base_path =
+      (std::filesystem::path(path).parent_path() / *base).lexically_normal().string();
+  trail.push_back(std::filesystem::path(path).lexically_normal().string());
+  if (std::ranges::find(trail, base_path) != trail.end()) {
+    mistakes.add(asked.place, "a file that does not include this one", asked.written,
+                 "remove one of the two includes");
+    return document;
+  }
+  const std::optional<std::string> base_text = read_text(base_path);
+  if (!base_text) {
+    mistakes.add(asked.place, "a scene to include", "no file to read at " + base_path,
+                 "give the path from the folder of this file");
+    return document;
+  }
+  return overlaid(read_file(base_path, *base_text, mistakes, trail), document);
 }
 
 }  // namespace
+
+std::string Document::path_from(const std::string& key, const std::string& relative) const {
+  const std::string& source = place(key).source;
+  const std::filesystem::path file = source.starts_with("--set") ? path : source;
+  return (file.parent_path() / relative).lexically_normal().string();
+}
 
 const Value* Document::find(const std::string& key) const {
   const auto found = values.find(key);
@@ -282,13 +112,10 @@ Place Document::place(const std::string& key) const {
 
 Document read_document(const std::string& path, const std::vector<std::string>& overrides,
                        Mistakes& mistakes) {
-  Document document;
-  document.path = path;
   const std::optional<std::string> text = read_text(path);
   if (!text)
     throw InputError({path + ": expected a scene file, found none to read; check the path"});
-  document.text = *text;
-  Parser(document, mistakes).parse();
+  Document document = read_file(path, *text, mistakes, {});
   for (const std::string& option : overrides) apply_option(document, option, mistakes);
   return document;
 }

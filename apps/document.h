@@ -1,5 +1,8 @@
-// A TOML file flattened to `section.key` -> value, each with its place in the text, and with the
-// --set options of the command line laid over it.
+// A TOML file flattened to `section.key` -> value, each with its place in the text, laid over the
+// file that it includes and with the --set options of the command line laid over both.
+//
+// `include = "base.toml"`, above the first section, names a file from the folder of this one. What
+// the including file gives replaces what the base gives; key = "none" takes a key or section away.
 #pragma once
 
 #include <cstdint>
@@ -39,6 +42,8 @@ struct Document {
   const Value* find(const std::string& key) const;
   // Of a value, else of the nearest section above it, else the top of the file.
   Place place(const std::string& key) const;
+  // The path in a value, which is meant from the folder of the file that it is written in.
+  std::string path_from(const std::string& key, const std::string& path) const;
 };
 
 // `overrides` are `key=value`; a value that is not TOML is taken as a string, `none` removes the

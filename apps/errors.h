@@ -7,7 +7,8 @@
 
 namespace apps {
 
-enum ExitStatus { ok = 0, bad_input = 2, numerical_trouble = 3, output_trouble = 4 };
+// A run that is stopped by a signal ends with 128 + its number.
+enum ExitStatus { ok = 0, bad_input = 2, numerical_trouble = 3, output_trouble = 4, stopped = 128 };
 
 // Mistakes of the user, all found at once: one `file:line:column: expected, found, what to do`
 // each.

@@ -5,9 +5,26 @@
 
 #include "apps/flow_box.h"
 #include "apps/flow_run.h"
+#include "apps/forecast.h"
 #include "apps/program.h"
+#include "apps/scene_manual.h"
+#include "apps/scene_record.h"
 
 namespace {
+
+void foretell(const apps::FlowTestScene& scene, const apps::Mix& mix, const apps::LawBook& book) {
+  constexpr double usual_pressure = 100e3;  // under the strip (Olsson, Jelagin, Partl, figure 3)
+  const apps::FlowScene& flow = scene.flow;
+  const apps::BedPlan plan = {scene.stones, scene.fill, scene.numerics, scene.run.seed,
+                              dem::RectangularMould{flow.length, flow.width}};
+  const apps::Loading loading = {usual_pressure, flow.speed / flow.strip_length,
+                                 flow.displacement / flow.speed, std::min(flow.length, flow.width)};
+  apps::with_law(book, [&]<class Law>() {
+    const apps::BedForecast told = apps::forecast_bed<Law>(plan, mix, book, loading);
+    for (const std::string& line : apps::forecast_lines(told, scene.numerics))
+      std::cout << line << '\n';
+  });
+}
 
 void press(const apps::Options& options) {
   const apps::FlowTestScene scene = apps::read_flow_scene(options.scene, options.overrides);
@@ -15,30 +32,34 @@ void press(const apps::Options& options) {
   const apps::LawBook book(scene.stones, scene.binder, mix);
   book.check(scene.source);
   apps::check_box(scene, mix);
-  if (options.check) return;
-
+  if (options.check && options.quiet) return;
   apps::use_threads(options, scene.stones.count);
-  const double began = apps::wall_clock();
-  apps::claim_folder(options.out);
+  if (options.check) return foretell(scene, mix, book);
+  if (apps::is_finished(options)) return;
+
   apps::with_law(book, [&]<class Law>() {
-    apps::Recorder recorder(
-        options.out + "/results.h5",
-        apps::provenance("flow_test", options, scene.source.text, scene.run.seed),
-        apps::FlowRun<Law>::columns(scene));
-    apps::Progress progress(std::cout, isatty(STDOUT_FILENO), options.quiet);
-    apps::FlowRun<Law> run(scene, mix, book);
-    run.fill(progress);
-    progress.finish();
-    recorder.write("/stones/radius", mix.radius, "m");
+    apps::Session session(options, apps::stored_scene(scene, options),
+                          apps::provenance("flow_test", options, scene.source.text, scene.run.seed),
+                          apps::FlowRun<Law>::columns(scene));
+    apps::FlowRun<Law> run(scene, mix, book, options.out);
+    const apps::State state = [&](apps::Archive& item) { run.visit_state(item); };
+    session.restore(state);
+    const apps::Pulse pulse = session.pulse(state, scene.output.checkpoint_interval);
+
+    apps::Progress settling(std::cout, isatty(STDOUT_FILENO), options.quiet);
+    run.fill(settling, pulse);
+    settling.finish();
+    session.recorder().write("/stones/radius", mix.radius, "m");
     apps::Progress pressing(std::cout, isatty(STDOUT_FILENO), options.quiet);
-    run.press(recorder, options.out, pressing);
-    apps::write_summary(options.out + "/summary.json", run.findings(apps::wall_clock() - began));
+    run.press(session.recorder(), pressing, pulse);
+    apps::write_summary(session.file("summary.json"), run.findings(session.wall_seconds()));
   });
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return apps::run_program(argc, argv, "Compaction flow test of hot asphalt mix in a rigid box.",
-                           "run", press);
+  const apps::Program program = {"Compaction flow test of hot asphalt mix in a rigid box.", "run",
+                                 apps::flow_scene_manual, apps::flow_scene_schema};
+  return apps::run_program(argc, argv, program, press);
 }

@@ -3,10 +3,27 @@
 
 #include <iostream>
 
+#include "apps/gyratory_forecast.h"
 #include "apps/gyratory_run.h"
 #include "apps/program.h"
+#include "apps/scene_manual.h"
+#include "apps/scene_record.h"
 
 namespace {
+
+void foretell(const apps::GyratoryScene& scene, const apps::Mix& mix, const apps::Machine& machine,
+              const apps::LawBook& book) {
+  const apps::BedPlan plan = {scene.stones, scene.fill, scene.numerics, scene.run.seed,
+                              dem::RoundMould{machine.mould_radius}};
+  const apps::Loading loading = apps::gyratory_loading(scene, machine);
+  std::cout << "mould            " << 2e3 * machine.mould_radius << " mm wide\n";
+  apps::with_law(book, [&]<class Law>() {
+    const apps::BedForecast told = apps::forecast_bed<Law>(plan, mix, book, loading);
+    for (const std::string& line : apps::forecast_lines(told, scene.numerics))
+      std::cout << line << '\n';
+  });
+  for (const std::string& line : apps::steel_forecast(scene, machine)) std::cout << line << '\n';
+}
 
 void compact(const apps::Options& options) {
   const apps::GyratoryScene scene = apps::read_gyratory_scene(options.scene, options.overrides);
@@ -14,34 +31,41 @@ void compact(const apps::Options& options) {
   const apps::Machine machine = apps::size_machine(scene, mix);
   const apps::LawBook book(scene.stones, scene.binder, mix);
   book.check(scene.source);
-  if (options.check) return;
-
+  if (options.check && options.quiet) return;
   apps::use_threads(options, scene.stones.count);
-  const double began = apps::wall_clock();
-  apps::claim_folder(options.out);
+  if (options.check) return foretell(scene, mix, machine, book);
+  if (apps::is_finished(options)) return;
+
   apps::with_law(book, [&]<class Law>() {
-    apps::Recorder recorder(
-        options.out + "/results.h5",
-        apps::provenance("gyratory", options, scene.source.text, scene.run.seed),
-        apps::GyratoryRun<Law>::columns(scene));
-    apps::Progress progress(std::cout, isatty(STDOUT_FILENO), options.quiet);
+    apps::Session session(options, apps::stored_scene(scene, options),
+                          apps::provenance("gyratory", options, scene.source.text, scene.run.seed),
+                          apps::GyratoryRun<Law>::columns(scene));
     apps::GyratoryRun<Law> run(scene, mix, book, machine);
-    run.fill(progress);
-    progress.finish();
-    run.close();
-    recorder.write("/mould/diameter", std::array{2 * machine.mould_radius}, "m");
-    recorder.write("/stones/radius", mix.radius, "m");
-    apps::Progress compaction(std::cout, isatty(STDOUT_FILENO), options.quiet);
     apps::GyratoryPictures pictures(options.out);
-    run.compact(recorder, pictures, compaction);
-    apps::write_summary(options.out + "/summary.json", run.findings(apps::wall_clock() - began));
+    const apps::State state = [&](apps::Archive& item) {
+      run.visit_state(item);
+      pictures.visit_state(item);
+    };
+    session.restore(state);
+    const apps::Pulse pulse = session.pulse(state, scene.output.checkpoint_interval);
+
+    apps::Progress settling(std::cout, isatty(STDOUT_FILENO), options.quiet);
+    run.fill(settling, pulse);
+    settling.finish();
+    run.close();
+    session.recorder().write("/mould/diameter", std::array{2 * machine.mould_radius}, "m");
+    session.recorder().write("/stones/radius", mix.radius, "m");
+    apps::Progress compaction(std::cout, isatty(STDOUT_FILENO), options.quiet);
+    run.compact(session.recorder(), pictures, compaction, pulse);
+    apps::write_summary(session.file("summary.json"), run.findings(session.wall_seconds()));
   });
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return apps::run_program(argc, argv,
-                           "Gyratory compaction of hot asphalt mix in a steel mould (DEM + FE).",
-                           "run", compact);
+  const apps::Program program = {
+      "Gyratory compaction of hot asphalt mix in a steel mould (DEM + FE).", "run",
+      apps::gyratory_scene_manual, apps::gyratory_scene_schema};
+  return apps::run_program(argc, argv, program, compact);
 }

@@ -22,6 +22,15 @@ GyratoryPictures::GyratoryPictures(const std::string& folder)
       head_(folder + "/head.pvd"),
       mould_(folder + "/mould.pvd") {}
 
+void GyratoryPictures::visit_state(Archive& item) {
+  item("pictures.drawn", drawn_);
+  item("pictures.last_time", last_time_);
+  if (!item.restores()) return;
+  stones_ = Series(folder_ + "/stones.pvd", last_time_);
+  head_ = Series(folder_ + "/head.pvd", last_time_);
+  mould_ = Series(folder_ + "/mould.pvd", last_time_);
+}
+
 void GyratoryPictures::draw(double time, const dem::ParticleStore& stones,
                             const std::vector<int>& coordination, const MachinePart& head,
                             const MachinePart& mould) {
@@ -48,6 +57,7 @@ void GyratoryPictures::draw(double time, const dem::ParticleStore& stones,
                    {});
   }
   mould_.add(time, mould_file);
+  last_time_ = time;
   ++drawn_;
 }
 

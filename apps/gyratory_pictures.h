@@ -1,9 +1,11 @@
 // The ParaView series of a gyratory run: stones, head and mould, each rigid or bent.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
+#include "apps/archive.h"
 #include "apps/pictures.h"
 #include "apps/steel.h"
 #include "dem/particle_store.h"
@@ -24,9 +26,12 @@ class GyratoryPictures {
   void draw(double time, const dem::ParticleStore& stones, const std::vector<int>& coordination,
             const MachinePart& head, const MachinePart& mould);
 
+  void visit_state(Archive& item);  // see dem/state.h
+
  private:
   std::string folder_;
   int drawn_ = 0;
+  double last_time_ = -std::numeric_limits<double>::infinity();  // of a picture [s]
   Series stones_, head_, mould_;
 };
 

@@ -3,17 +3,16 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <numbers>
 #include <optional>
 
 #include "apps/bed.h"
+#include "apps/gyratory_findings.h"
 #include "apps/gyratory_pictures.h"
 #include "apps/machine.h"
 #include "apps/progress.h"
-#include "apps/recorder.h"
+#include "apps/session.h"
 #include "apps/steel.h"
-#include "apps/summary.h"
 
 namespace apps {
 
@@ -23,10 +22,15 @@ class GyratoryRun {
   GyratoryRun(const GyratoryScene& scene, const Mix& mix, const LawBook& book,
               const Machine& machine);
 
-  void fill(Progress& progress);
+  // The stages in their order; each does what is left of it in a continued run. `pulse` is called
+  // after every step.
+  void fill(Progress& progress, const Pulse& pulse);
   void close();
-  void compact(Recorder& recorder, GyratoryPictures& pictures, Progress& progress);
+  void compact(Recorder& recorder, GyratoryPictures& pictures, Progress& progress,
+               const Pulse& pulse);
   std::vector<Finding> findings(double wall_seconds) const;
+
+  void visit_state(Archive& item);  // see dem/state.h
 
   static std::vector<Column> columns(const GyratoryScene& scene);
 
@@ -43,6 +47,7 @@ class GyratoryRun {
   Law wall_law(Part part, bool bonds) const;
   double air_voids(double plate_height) const;
   double gyration() const;  // gyrations done, negative during the ramp
+  void mount_head();
   void step();
   std::vector<double> row();
   void record(Recorder& recorder);
@@ -56,11 +61,14 @@ class GyratoryRun {
   std::optional<dem::EnergyLedger<Law>> ledger_;
   double settling_residual_ = 0;  // of the ledger, as a share of the work [-]
   std::optional<SteelPart> elastic_mould_, elastic_head_;
-  double head_mass_ = 0;       // [kg]
+  double head_mass_ = 0;  // [kg]
+  Settling settling_;
+  bool closed_ = false;
   double closed_at_ = 0;       // when the plate came down [s]
   double settled_height_ = 0;  // of the bed then, mean of its highest points [m]
   std::int64_t settled_steps_ = 0;
   Means means_;
+  double next_row_ = 0, next_picture_ = 0;      // [s]
   std::vector<std::vector<double>> ramp_rows_;  // held until air_voids_decrease has its reference
   std::vector<std::vector<double>> rows_;       // of the last two gyrations, for the findings
   std::optional<double> voids_at_start_;        // when the gyrations begin [-]
@@ -82,6 +90,29 @@ GyratoryRun<Law>::GyratoryRun(const GyratoryScene& scene, const Mix& mix, const 
   ring.surface = dem::CylinderInside{machine.mould_radius};
   bed_.add_wall(base, wall_law(floor, scene.fill.bonds));
   bed_.add_wall(ring, wall_law(mould, scene.fill.bonds));
+  settling_ = begin_settling(bed_, scene.fill);
+  if (scene.output.energy_ledger) ledger_.emplace();
+}
+
+template <class Law>
+void GyratoryRun<Law>::visit_state(Archive& item) {
+  item("settling", settling_);
+  item("closed", closed_);
+  item("closed_at", closed_at_);
+  if (closed_ && item.restores()) mount_head();
+  bed_.visit_state(item);
+  if (ledger_) ledger_->visit_state(item, "ledger.");
+  item("settling_residual", settling_residual_);
+  if (elastic_head_) elastic_head_->visit_state(item, "head.modes.");
+  if (elastic_mould_) elastic_mould_->visit_state(item, "mould.modes.");
+  item("settled_height", settled_height_);
+  item("settled_steps", settled_steps_);
+  item("means", means_);
+  item("next_row", next_row_);
+  item("next_picture", next_picture_);
+  item("ramp_rows", ramp_rows_);
+  item("last_rows", rows_);
+  item("voids_at_start", voids_at_start_);
 }
 
 template <class Law>
@@ -96,23 +127,35 @@ Law GyratoryRun<Law>::wall_law(Part part, bool bonds) const {
 }
 
 template <class Law>
-void GyratoryRun<Law>::fill(Progress& progress) {
-  if (scene_.output.energy_ledger) ledger_.emplace();
+void GyratoryRun<Law>::fill(Progress& progress, const Pulse& pulse) {
   const auto report = [&](double rest) {
     progress.report(rest, fmt::format("settling: time {:.2f} s, rest {:.1e}", bed_.time(), rest));
   };
-  settle(bed_, scene_.fill, report, ledger_ ? &*ledger_ : nullptr);
+  settle(bed_, settling_, report, [&] {
+    if (ledger_) ledger_->look(bed_);
+    pulse();
+  });
+}
+
+template <class Law>
+void GyratoryRun<Law>::close() {
+  if (closed_) return;
+  closed_ = true;
+  closed_at_ = bed_.time();
   settled_steps_ = bed_.steps();
-  if (!ledger_) return;
-  settling_residual_ = ledger_->energies().residual_share();
-  ledger_->restart();
+  if (ledger_) {
+    settling_residual_ = ledger_->energies().residual_share();
+    ledger_->restart();
+  }
+  settled_height_ = dem::mean_of_highest(bed_.stones(), highest_points);
+  next_row_ = closed_at_ + scene_.output.history_interval;
+  next_picture_ = closed_at_ + scene_.output.picture_interval;
+  mount_head();
 }
 
 // Puts the inclined head on the highest stone and lets shells bond from now on.
 template <class Law>
-void GyratoryRun<Law>::close() {
-  closed_at_ = bed_.time();
-  settled_height_ = dem::mean_of_highest(bed_.stones(), highest_points);
+void GyratoryRun<Law>::mount_head() {
   dem::Wall plate;
   plate.name = "head";
   plate.surface = dem::Disc{machine_.plate_radius};
@@ -175,23 +218,23 @@ void GyratoryRun<Law>::step() {
 template <class Law>
 std::vector<Column> GyratoryRun<Law>::columns(const GyratoryScene& scene) {
   std::vector<Column> all = {{"time", "s"},
-                             {"gyration", "1"},
-                             {"height", "m"},
-                             {"air_voids", "1"},
-                             {"ram_pressure", "Pa"},
-                             {"head_force", "N"},
-                             {"head_lateral_x", "N"},
-                             {"head_lateral_y", "N"},
-                             {"head_moment_x", "N m"},
-                             {"head_moment_y", "N m"},
-                             {"commanded_angle", "deg"},
-                             {"internal_angle", "deg"},
-                             {"fractured", "1"},
-                             {"bonds", "1"},
-                             {"coordination", "1"},
-                             {"kinetic_energy", "J"},
-                             {"mould_force", "N"},
-                             {"time_step", "s"}};
+          {"gyration", "1"},
+          {"height", "m"},
+          {"air_voids", "1"},
+          {"ram_pressure", "Pa"},
+          {"head_force", "N"},
+          {"head_lateral_x", "N"},
+          {"head_lateral_y", "N"},
+          {"head_moment_x", "N m"},
+          {"head_moment_y", "N m"},
+          {"commanded_angle", "deg"},
+          {"internal_angle", "deg"},
+          {"fractured", "1"},
+          {"bonds", "1"},
+          {"coordination", "1"},
+          {"kinetic_energy", "J"},
+          {"mould_force", "N"},
+          {"time_step", "s"}};
   if (scene.output.energy_ledger) add_energy_columns(all);
   all.push_back({"air_voids_decrease", "1"});
   return all;
@@ -204,24 +247,24 @@ std::vector<double> GyratoryRun<Law>::row() {
   const dem::PlateFace face = dem::plate_face(bed_.walls()[head]);
   const double span = means_.span;
   std::vector<double> values = {bed_.time() - closed_at_,
-                                std::max(0.0, gyration()),
-                                face.mean_height,
-                                air_voids(face.mean_height),
-                                means_.ram_force / span / machine_.section,
-                                means_.force.z / span,
-                                means_.force.x / span,
-                                means_.force.y / span,
-                                means_.moment.x / span,
-                                means_.moment.y / span,
-                                scene_.gyration.angle * degree,
-                                face.angle * degree,
-                                static_cast<double>(bed_.cracks().size()),
-                                static_cast<double>(bed_.pairs().held()),
-                                2.0 * static_cast<double>(bed_.pairs().touching(bed_.stones())) /
-                                    static_cast<double>(bed_.stones().size()),
-                                dem::kinetic_energy(bed_.stones()),
-                                means_.mould_push / span,
-                                bed_.time_step()};
+                                      std::max(0.0, gyration()),
+                                      face.mean_height,
+                                      air_voids(face.mean_height),
+                                      means_.ram_force / span / machine_.section,
+                                      means_.force.z / span,
+                                      means_.force.x / span,
+                                      means_.force.y / span,
+                                      means_.moment.x / span,
+                                      means_.moment.y / span,
+                                      scene_.gyration.angle * degree,
+                                      face.angle * degree,
+                                      static_cast<double>(bed_.cracks().size()),
+                                      static_cast<double>(bed_.pairs().held()),
+                                      2.0 * static_cast<double>(bed_.pairs().touching(bed_.stones())) /
+                                          static_cast<double>(bed_.stones().size()),
+                                      dem::kinetic_energy(bed_.stones()),
+                                      means_.mould_push / span,
+                                      bed_.time_step()};
   if (ledger_) add_energies(values, ledger_->energies());
   means_ = {};
   return values;
@@ -248,25 +291,23 @@ void GyratoryRun<Law>::record(Recorder& recorder) {
 }
 
 template <class Law>
-void GyratoryRun<Law>::compact(Recorder& recorder, GyratoryPictures& pictures, Progress& progress) {
+void GyratoryRun<Law>::compact(Recorder& recorder, GyratoryPictures& pictures, Progress& progress,
+                               const Pulse& pulse) {
   const double length = scene_.gyration.ramp + scene_.gyration.count / scene_.gyration.speed;
   const double end = closed_at_ + length;
-  double next_row = closed_at_ + scene_.output.history_interval;
-  double next_picture = closed_at_ + scene_.output.picture_interval;
-  double next_flush = wall_clock() + 5;
   const double began = wall_clock();
   const std::int64_t first_step = bed_.steps();
-  while (bed_.time() < end) {
-    while (bed_.time() < std::min(next_row, end)) step();
-    next_row += scene_.output.history_interval;
-    record(recorder);
-    if (scene_.output.picture_interval > 0 && bed_.time() >= next_picture) {
-      draw(pictures);
-      next_picture += scene_.output.picture_interval;
+  for (;;) {
+    while (bed_.time() < std::min(next_row_, end)) {
+      step();
+      pulse();
     }
-    if (wall_clock() > next_flush) {
-      recorder.flush();
-      next_flush = wall_clock() + 5;
+    next_row_ += scene_.output.history_interval;
+    record(recorder);
+    if (bed_.time() >= end) break;
+    if (scene_.output.picture_interval > 0 && bed_.time() >= next_picture_) {
+      draw(pictures);
+      next_picture_ += scene_.output.picture_interval;
     }
     const double height = dem::plate_face(bed_.walls()[head]).mean_height;
     const double rate =
@@ -291,50 +332,10 @@ void GyratoryRun<Law>::draw(GyratoryPictures& pictures) {
 
 template <class Law>
 std::vector<Finding> GyratoryRun<Law>::findings(double wall_seconds) const {
-  const auto mean = [&](int column) {
-    double sum = 0;
-    for (const auto& r : rows_) sum += r[column] / static_cast<double>(rows_.size());
-    return sum;
-  };
-  const auto stones = static_cast<std::int64_t>(bed_.stones().size());
-  std::vector<Finding> found = {
-      {"stones", stones},
-      {"gyrations", scene_.gyration.count},
-      {"steps", bed_.steps()},
-      {"settling_steps", settled_steps_},
-      {"time_step_s", bed_.time_step()},
-      {"limiting_contact", bed_.limiting_contact()},
-      {"mass_scale", scene_.numerics.mass_scale},
-      {"wall_seconds", wall_seconds},
-      {"particle_steps_per_second",
-       static_cast<double>(stones) * static_cast<double>(bed_.steps()) / wall_seconds},
-      {"air_voids_start", voids_at_start_.value()},
-      {"air_voids_end", rows_.back()[3]},
-      {"settled_height_m", settled_height_},
-      {"height_end_m", rows_.back()[2]},
-      {"mould_diameter_m", 2 * machine_.mould_radius},
-      {"ram_pressure_mean_Pa", mean(4)},
-      {"head_force_mean_N", mean(5)},
-      {"head_weight_N", head_mass_ * 9.81},
-      {"commanded_angle_deg", mean(10)},
-      {"internal_angle_deg", mean(11)},
-      {"fractured_stones", static_cast<std::int64_t>(bed_.cracks().size())},
-      {"shell_thickness_m", mix_.shell},
-      {"bitumen_fraction", mix_.bitumen_fraction},
-      {"neighbor_rebuilds", bed_.rebuilds()},
-      {"seed", static_cast<std::int64_t>(scene_.run.seed)}};
-  if (elastic_head_) {
-    const SteelPart::Tilt tilt = elastic_head_->tilt();
-    found.push_back({"head_tilt_per_moment_rad_per_Nm", tilt.per_moment});
-    found.push_back({"head_tilt_per_force_rad_per_N", tilt.per_force});
-    found.push_back({"head_unknowns", static_cast<std::int64_t>(elastic_head_->body().unknowns())});
-    found.push_back({"head_truncation_error", elastic_head_->coupled().body().truncation_error});
-  }
-  if (elastic_mould_) {
-    found.push_back(
-        {"mould_unknowns", static_cast<std::int64_t>(elastic_mould_->body().unknowns())});
-    found.push_back({"mould_truncation_error", elastic_mould_->coupled().body().truncation_error});
-  }
+  const GyratoryOutcome outcome = {report_on(bed_), wall_seconds,   settled_steps_,
+                                   settled_height_, head_mass_,     voids_at_start_.value(),
+                                   elastic_head_,   elastic_mould_, {columns(scene_), rows_}};
+  std::vector<Finding> found = gyratory_findings(scene_, mix_, machine_, outcome);
   if (ledger_) {
     found.push_back({"settling_energy_residual_share", settling_residual_});
     add_energies(found, ledger_->energies());

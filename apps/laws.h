@@ -69,15 +69,15 @@ class LawBook {
   double shell_, thickest_, bitumen_fraction_;
 };
 
-template <dem::Damping damping>
-struct LawBook::Make<dem::Mindlin<dem::Hertz<damping>>> {
-  static dem::Mindlin<dem::Hertz<damping>> from(const LawBook& book, const Counterpart& counterpart,
-                                                bool) {
+template <dem::Damping kind>
+struct LawBook::Make<dem::Mindlin<dem::Hertz<kind>>> {
+  static dem::Mindlin<dem::Hertz<kind>> from(const LawBook& book, const Counterpart& counterpart,
+                                             bool) {
     const dem::Material other = counterpart.wall.value_or(book.stone());
     const double normal = dem::normal_compliance(book.stone()) + dem::normal_compliance(other);
     const double shear = dem::shear_compliance(book.stone()) + dem::shear_compliance(other);
-    dem::Hertz<damping> hertz = {1 / normal};
-    if (damping == dem::Damping::restitution)
+    dem::Hertz<kind> hertz = {1 / normal};
+    if (kind == dem::Damping::restitution)
       hertz.damping_ratio = dem::damping_ratio(book.stones_.restitution.value());
     return {hertz, 1 / shear, counterpart.friction, (counterpart.wall ? 1 : 2) * book.shell_};
   }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
 #include <numeric>
 
 #include "apps/laws.h"
@@ -156,6 +155,8 @@ std::optional<PathPoint> point_of(const std::string& line, const Place& place, M
   return PathPoint{numbers[0], numbers[1], numbers[2]};
 }
 
+}  // namespace
+
 std::vector<PathPoint> read_path(const std::string& file, const Place& asked, Mistakes& mistakes) {
   std::vector<PathPoint> path;
   const std::optional<std::string> text = read_text(file);
@@ -195,8 +196,6 @@ std::vector<PathPoint> read_path(const std::string& file, const Place& asked, Mi
   return path;
 }
 
-}  // namespace
-
 PathCase read_path_case(const std::string& path, const std::vector<std::string>& overrides) {
   const UnitSystem units;
   Mistakes mistakes;
@@ -206,11 +205,9 @@ PathCase read_path_case(const std::string& path, const std::vector<std::string>&
   read_sections(describe(the_case, file), document, units, mistakes);
   const CaseCheck cross(document, mistakes);
   cross.check(the_case);
-  if (!file.empty()) {
-    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  if (!file.empty())
     the_case.path =
-        read_path((folder / file).lexically_normal().string(), cross.place("path.file"), mistakes);
-  }
+        read_path(document.path_from("path.file", file), cross.place("path.file"), mistakes);
   if (mistakes.any()) throw InputError(mistakes.lines());
   return the_case;
 }

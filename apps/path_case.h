@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/mistakes.h"
 #include "apps/scene.h"
 #include "dem/material.h"
 
@@ -32,6 +33,9 @@ struct PathCase {
 
   bool at_wall() const { return kind == "wall"; }
 };
+
+// The points of a table. `asked` is where its path was written, for when there is no such file.
+std::vector<PathPoint> read_path(const std::string& file, const Place& asked, Mistakes& mistakes);
 
 // Reads the case, lays the overrides over it, reads the path it names, and checks all of it. Throws
 // InputError with every mistake found.

@@ -1,10 +1,19 @@
 #!/usr/bin/python3
-"""Draws a run at a glance: `plot_run.py DIR` makes DIR/run.png from DIR/results.h5."""
+"""Draws a run at a glance: `plot_run.py DIR` makes DIR/run.png from DIR/results.h5.
+
+Several folders give DIR/compared.png with their curves laid over each other; --report makes one
+page of it all that needs no other file. With --live the picture is drawn again while the run goes
+on: results.h5 is replaced as a whole every few seconds, so that whoever opens it reads a complete
+file."""
 
 import argparse
 import copy
+import html
+import io
+import json
 import pathlib
 import sys
+import time
 
 import h5py
 import matplotlib
@@ -173,22 +182,168 @@ def picture(run, title):
     return figure
 
 
+def read(folder):
+    run = Run(folder / "results.h5")
+    if len(run.columns["time"]) == 0:
+        raise EOFError("no history has been recorded yet; a gyratory run records once it gyrates")
+    return run
+
+
+def save(figure, out):
+    """Replaces the picture as a whole, for viewers that watch it."""
+    part = out.with_name(".part_" + out.name)  # the ending tells matplotlib the format
+    figure.savefig(part, dpi=150)
+    plt.close(figure)
+    part.replace(out)
+
+
+def draw_one(folder, out):
+    run = read(folder)
+    title = f"{folder.resolve().name}   ·   seed {run.provenance['seed']}"
+    with plt.rc_context(STYLE):
+        save(picture(run, title), out)
+
+
+# What is compared of several runs: column, title, quantity; over gyrations or over displacement.
+COMPARED = {
+    "gyration": [("air_voids", "Compaction", "air voids"),
+                 ("air_voids_decrease", "Decrease of air voids", "decrease"),
+                 ("height", "Height", "height"), ("internal_angle", "Internal angle", "angle"),
+                 ("fractured", "Fractured stones", "stones"),
+                 ("coordination", "Coordination", "contacts per stone")],
+    "displacement": [("pressure", "Pressure under the strip", "pressure"),
+                     ("uplift", "Uplift beside the strip", "uplift"),
+                     ("fractured", "Fractured stones", "stones"),
+                     ("coordination", "Coordination", "contacts per stone")],
+}
+
+
+def compare(folders):
+    """A figure with the curves of several runs of the same program laid over each other."""
+    runs = {folder.resolve().name: read(folder) for folder in folders}
+    kinds = {"gyration" if "gyration" in run.columns else "displacement" for run in runs.values()}
+    if len(kinds) > 1:
+        sys.exit("expected runs of one program, found both; plot them apart")
+    x = kinds.pop()
+    figure = plt.figure(figsize=(10, 3.3 * len(COMPARED[x]) / 2), layout="constrained")
+    panels = figure.subplots(len(COMPARED[x]) // 2, 2)
+    for axes, (column, title, quantity) in zip(panels.flat, COMPARED[x]):
+        for number, (name, run) in enumerate(runs.items()):
+            shown = run.since_first_gyration() if x == "gyration" else run
+            axes.plot(shown.shown(x), shown.shown(column), color=f"C{number}", label=name)
+        axes.set_title(title)
+        axes.set_xlabel(run.label(x, x))
+        axes.set_ylabel(run.label(quantity, column))
+        if x == "gyration" and column.startswith("air_voids"):
+            axes.set_xscale("log")
+            axes.set_xlim(left=max(0.1, 0.01 * shown.columns[x][-1]))
+    panels[0, 0].legend()
+    return figure
+
+
+def embedded(figure):
+    """A figure as text for a page that needs no other file."""
+    image = io.BytesIO()
+    figure.savefig(image, format="svg")
+    plt.close(figure)
+    text = image.getvalue().decode()
+    return text[text.index("<svg"):]
+
+
+PAGE = """<!DOCTYPE html>
+<html lang="en"><head><meta charset="utf-8"><title>{title}</title><style>
+body {{ font: 15px/1.45 sans-serif; color: #222; max-width: 1050px; margin: 2em auto;
+       padding: 0 1em }}
+svg {{ max-width: 100%; height: auto }} td, th {{ text-align: left; padding: .15em 1.2em .15em 0 }}
+pre {{ background: #f5f5f5; padding: 1em; overflow-x: auto }} h2 {{ margin-top: 1.8em }}
+</style></head><body><h1>{title}</h1>
+{body}
+</body></html>
+"""
+
+
+def table(rows, head):
+    lines = ["<tr>" + "".join(f"<th>{html.escape(word)}</th>" for word in head) + "</tr>"]
+    for row in rows:
+        cells = "".join(f"<td>{html.escape(str(word))}</td>" for word in row)
+        lines.append(f"<tr>{cells}</tr>")
+    return "<table>" + "\n".join(lines) + "</table>"
+
+
+def report(folders):
+    """One page with the pictures, the summaries and the scenes of the runs."""
+    body = []
+    summaries = []
+    with plt.rc_context(STYLE):
+        if len(folders) > 1:
+            body.append("<h2>Compared</h2>" + embedded(compare(folders)))
+        for folder in folders:
+            run = read(folder)
+            body.append(f"<h2>{html.escape(folder.resolve().name)}</h2>")
+            body.append(embedded(picture(run, "")))
+            origin = [(key, run.provenance[key]) for key in
+                      ("program", "version", "compiler", "flags", "seed", "command_line")]
+            body.append("<h3>Where it comes from</h3>" + table(origin, ("what", "value")))
+            stored = folder / "scene.toml"
+            scene = stored.read_text() if stored.exists() else run.provenance["scene"]
+            body.append(f"<h3>Scene</h3><pre>{html.escape(scene)}</pre>")
+            summary = folder / "summary.json"
+            summaries.append(json.loads(summary.read_text()) if summary.exists() else {})
+    keys = dict.fromkeys(key for summary in summaries for key in summary)
+    show = lambda value: f"{value:.6g}" if isinstance(value, float) else value
+    rows = [[key] + [show(summary.get(key, "")) for summary in summaries] for key in keys]
+    names = [folder.resolve().name for folder in folders]
+    body.insert(0, "<h2>Summary</h2>" + table(rows, ["finding"] + names))
+    return PAGE.format(title=html.escape(", ".join(names)), body="\n".join(body))
+
+
+def watch(folder, out, interval):
+    """Draws again whenever the run has recorded more, until it has left its summary."""
+    drawn = None
+    while True:
+        finished = (folder / "summary.json").exists()
+        try:
+            now = (folder / "results.h5").stat().st_mtime_ns
+            if now != drawn:
+                draw_one(folder, out)
+                drawn = now
+                print(f"{time.strftime('%H:%M:%S')} {out}", flush=True)
+        except (EOFError, FileNotFoundError):
+            pass  # not yet
+        if finished:
+            return
+        time.sleep(interval)
+
+
 def main():
     options = argparse.ArgumentParser(description=__doc__)
-    options.add_argument("dir", type=pathlib.Path, metavar="DIR", help="folder of a run")
-    options.add_argument("--out", type=pathlib.Path, metavar="FILE", help="default: DIR/run.png")
+    options.add_argument("dirs", type=pathlib.Path, metavar="DIR", nargs="+",
+                         help="folder of a run; of several the curves are laid over each other")
+    options.add_argument("--out", type=pathlib.Path, metavar="FILE",
+                         help="default: run.png, compared.png or report.html in the first DIR")
+    options.add_argument("--live", type=float, metavar="SECONDS", nargs="?", const=5,
+                         help="draw again while the run goes on, looking every 5 s")
+    options.add_argument("--report", action="store_true",
+                         help="one page, report.html, with pictures, summaries and scenes")
     chosen = options.parse_args()
-    results = chosen.dir / "results.h5"
+    first = chosen.dirs[0]
+    several = len(chosen.dirs) > 1
+    name = "report.html" if chosen.report else "compared.png" if several else "run.png"
+    out = chosen.out or first / name
     try:
-        run = Run(results)
+        if chosen.report:
+            out.write_text(report(chosen.dirs))
+        elif several:
+            with plt.rc_context(STYLE):
+                save(compare(chosen.dirs), out)
+        elif chosen.live:
+            return watch(first, out, chosen.live)
+        else:
+            draw_one(first, out)
     except (OSError, KeyError) as trouble:
-        sys.exit(f"{results}: not the results of a run ({trouble})")
-    if len(run.columns["time"]) == 0:
-        sys.exit(f"{results}: no history has been recorded yet")
-    out = chosen.out or chosen.dir / "run.png"
-    title = f"{chosen.dir.resolve().name}   ·   seed {run.provenance['seed']}"
-    with plt.rc_context(STYLE):
-        picture(run, title).savefig(out, dpi=150)
+        sys.exit(f"{', '.join(map(str, chosen.dirs))}: not the results of a run ({trouble})")
+    except EOFError as trouble:
+        sys.exit(f"{', '.join(map(str, chosen.dirs))}: {trouble}")
     print(out)
 
 

@@ -5,30 +5,72 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <iostream>
 
 #include "apps/errors.h"
+#include "apps/run_folder.h"
+#include "apps/stop_signal.h"
 #include "dem/trouble.h"
 
 namespace apps {
 
-int run_program(int argc, char** argv, const std::string& purpose, const std::string& default_out,
-                const std::function<void(const Options&)>& body) {
-  Options options;
-  for (int k = 0; k < argc; ++k) options.command_line += (k ? " " : "") + std::string(argv[k]);
-  CLI::App app(purpose);
-  app.add_option("scene", options.scene, "scene file (TOML)")->required();
-  app.add_option("--out", options.out, "where the results go")->default_val(default_out);
+namespace {
+
+// Asked for a text about scenes instead of a run.
+struct Answer {
+  std::string text;
+};
+
+void add_run_options(CLI::App& app, Options& options, const Program& program) {
+  app.add_flag("--overwrite", options.overwrite, "replace the run that is in the folder");
+  auto* resume = app.add_option_function<std::string>(
+      "--resume",
+      [&options](const std::string& folder) {
+        options.resume = true;
+        options.out = folder;
+        options.scene = folder + '/' + stored_scene_file;
+      },
+      "go on with the run in this folder");
+  resume->type_name("DIR");
+  for (const char* other : {"scene", "--out", "--set", "--overwrite"}) resume->excludes(other);
+  const auto answer = [&app](const char* name, const auto& text, const char* meaning) {
+    app.add_flag_callback(
+        name, [&text] { throw Answer{text()}; }, meaning);
+  };
+  answer("--describe", program.manual, "print a complete scene with the meaning of every key");
+  answer("--schema", program.schema, "print a JSON Schema of scenes, for editors");
+}
+
+void add_options(CLI::App& app, Options& options, const Program& program) {
+  app.add_option("scene", options.scene, "scene file (TOML)");
+  app.add_option("--out", options.out, "where the results go")->default_val(program.default_out);
   app.add_option("--set", options.overrides, "key=value: overrides any key of the scene")
       ->take_all()
       ->expected(1)
       ->allow_extra_args(false);
   app.add_option("--threads", options.threads, "threads of the run")->check(CLI::Range(1, 1024));
-  app.add_flag("--check", options.check, "read and check the scene, then stop");
+  app.add_flag("--check", options.check, "read and check the scene, say what the run will be");
   app.add_flag("--quiet", options.quiet, "print no progress");
+  if (program.manual) add_run_options(app, options, program);
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv, const Program& program,
+                const std::function<void(const Options&)>& body) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is trouble with files like others
+  Options options;
+  for (int k = 0; k < argc; ++k) options.command_line += (k ? " " : "") + std::string(argv[k]);
+  CLI::App app(program.purpose);
+  add_options(app, options, program);
   try {
     app.parse(argc, argv);
+    if (options.scene.empty()) throw CLI::RequiredError("scene");
+  } catch (const Answer& answer) {
+    std::cout << answer.text;
+    return ok;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? ok : bad_input;
   }
@@ -48,6 +90,9 @@ int run_program(int argc, char** argv, const std::string& purpose, const std::st
   } catch (const OutputError& error) {
     std::cerr << error.what() << '\n';
     return output_trouble;
+  } catch (const Stopped& stop) {
+    std::cerr << stop.what() << '\n';
+    return stopped + stop.signal;
   }
 }
 
@@ -56,15 +101,12 @@ void use_threads(const Options& options, int stones) {
   omp_set_num_threads(options.threads > 0 ? options.threads : worthwhile);
 }
 
-void claim_folder(const std::string& folder) {
-  namespace fs = std::filesystem;
+bool is_finished(const Options& options) {
   std::error_code error;
-  if (fs::exists(fs::path(folder) / "results.h5", error))
-    throw OutputError(folder +
-                      ": expected a folder without results, found results.h5; "
-                      "choose another --out or move the old run away");
-  fs::create_directories(folder, error);
-  if (error) throw OutputError(folder + ": cannot be created: " + error.message());
+  if (!options.resume || !std::filesystem::exists(options.out + "/summary.json", error))
+    return false;
+  if (!options.quiet) std::cout << options.out << ": this run is finished (summary.json)\n";
+  return true;
 }
 
 Provenance provenance(const std::string& program, const Options& options,

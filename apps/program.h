@@ -14,23 +14,32 @@ struct Options {
   std::vector<std::string> overrides;  // key=value
   std::string out;                     // --out: the folder of the results, or the file
   int threads = 0;                     // 0: as many as are worth their waiting, see use_threads
+  bool resume = false;                 // --resume: go on with the run in the folder `out`
+  bool overwrite = false;              // a run that is in the folder may be replaced
   bool check = false;                  // read and check the scene, run nothing
   bool quiet = false;
   std::string command_line;
 };
 
+struct Program {
+  std::string purpose;      // the line shown by --help
+  std::string default_out;  // what --out is without being given
+  // Of its scene, for --describe and --schema. A program without them makes no run that takes its
+  // time in a folder: it has neither --resume nor --overwrite.
+  std::function<std::string()> manual{}, schema{};
+};
+
 // Runs `body` with the options of the command line and turns what it throws into messages on
-// standard error and an exit status (errors.h; 0 for --help). `purpose` is the line shown by
-// --help, `default_out` what --out is without being given.
-int run_program(int argc, char** argv, const std::string& purpose, const std::string& default_out,
+// standard error and an exit status (errors.h; 0 for --help).
+int run_program(int argc, char** argv, const Program& program,
                 const std::function<void(const Options&)>& body);
 
 // Sets the number of threads of a run: as asked for, else one per thousand stones, at most one per
 // processor. The results do not depend on it.
 void use_threads(const Options& options, int stones);
 
-// Creates the folder of results; it must not hold a run already. Throws OutputError.
-void claim_folder(const std::string& folder);
+// A run to be resumed that has its summary already; says so.
+bool is_finished(const Options& options);
 
 // Where a result comes from, as far as the program itself knows.
 Provenance provenance(const std::string& program, const Options& options,

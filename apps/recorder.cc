@@ -2,9 +2,11 @@
 
 #include <hdf5.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <utility>
 
 #include "apps/errors.h"
@@ -131,14 +133,32 @@ hsize_t length(hid_t dataset) {
   return static_cast<hsize_t>(H5Sget_simple_extent_npoints(space));
 }
 
-void extend(hid_t dataset, std::span<const double> values) {
-  const hsize_t start = length(dataset), count = values.size(), end = start + count;
-  require(H5Dset_extent(dataset, &end), "extend a history");
-  const Handle target(H5Dget_space(dataset), H5Sclose, "measure a dataset");
-  require(H5Sselect_hyperslab(target, H5S_SELECT_SET, &start, nullptr, &count, nullptr),
-          "choose rows");
-  const Handle source(H5Screate_simple(1, &count, nullptr), H5Sclose, "make an extent");
-  require(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, source, target, H5P_DEFAULT, values.data()),
+// The rows `start` to `start + count` of a dataset, in memory and in the file.
+struct Rows {
+  Handle memory, file;
+
+  Rows(hid_t dataset, hsize_t start, hsize_t count)
+      : memory(H5Screate_simple(1, &count, nullptr), H5Sclose, "make an extent"),
+        file(H5Dget_space(dataset), H5Sclose, "measure a dataset") {
+    require(H5Sselect_hyperslab(file, H5S_SELECT_SET, &start, nullptr, &count, nullptr),
+            "choose rows");
+  }
+};
+
+// Writes the values from row `start` on; marks in `changed` those that were there otherwise.
+void put(hid_t dataset, hsize_t start, std::span<const double> values, std::vector<bool>& changed) {
+  const hsize_t there = length(dataset), end = start + values.size();
+  if (const hsize_t known = std::min(there, end); known > start) {
+    std::vector<double> before(known - start);
+    const Rows rows(dataset, start, before.size());
+    require(H5Dread(dataset, H5T_NATIVE_DOUBLE, rows.memory, rows.file, H5P_DEFAULT, before.data()),
+            "read a history");
+    for (std::size_t k = 0; k < before.size(); ++k)
+      if (std::memcmp(&before[k], &values[k], sizeof(double)) != 0) changed[k] = true;
+  }
+  if (end > there) require(H5Dset_extent(dataset, &end), "extend a history");
+  const Rows rows(dataset, start, values.size());
+  require(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, rows.memory, rows.file, H5P_DEFAULT, values.data()),
           "write a history");
 }
 
@@ -171,13 +191,18 @@ struct Recorder::File {
   std::vector<Handle> histories;             // one per column
   std::vector<std::vector<double>> pending;  // per column, rows not yet in `histories`
   std::size_t rows = 0;
+  std::size_t replaced = 0;
   bool on_disk = false;  // does the disk hold all that was recorded
 
   void settle() {
+    const std::size_t count = pending.front().size();
+    if (count == 0) return;
+    std::vector<bool> changed(count);
     for (std::size_t c = 0; c < columns.size(); ++c) {
-      extend(histories[c], pending[c]);
+      put(histories[c], rows - count, pending[c], changed);
       pending[c].clear();
     }
+    replaced += static_cast<std::size_t>(std::ranges::count(changed, true));
   }
 };
 
@@ -205,7 +230,6 @@ Recorder::Recorder(const std::string& path, std::vector<Column> columns, std::si
     if (length(history) < wanted)
       throw OutputError("'" + path + "' holds " + std::to_string(length(history)) + " rows of " +
                         column.name + ", the run to be continued had " + std::to_string(rows));
-    require(H5Dset_extent(history, &wanted), "cut a history back");
   }
   file_->pending.resize(file_->columns.size());
 }
@@ -234,6 +258,10 @@ void Recorder::append(std::span<const double> row) {
 
 std::size_t Recorder::rows() const {
   return file_->rows;
+}
+
+std::size_t Recorder::replaced() const {
+  return file_->replaced;
 }
 
 void Recorder::flush() {

@@ -39,7 +39,8 @@ class Recorder {
  public:
   // A new file; what cannot be written, or exists already, throws OutputError (exit status 4).
   Recorder(const std::string& path, const Provenance& provenance, std::vector<Column> columns);
-  // The file of an earlier run, cut back to its first `rows` rows, to be continued.
+  // The file of an earlier run, continued after its first `rows` rows. What it holds beyond them
+  // stays, and is expected to be found again bit by bit (see `replaced`).
   Recorder(const std::string& path, std::vector<Column> columns, std::size_t rows);
   // Flushes; a failure is heard only from an explicit flush before.
   ~Recorder();
@@ -48,6 +49,8 @@ class Recorder {
   // One value per column, every one finite: otherwise NotANumber names the column.
   void append(std::span<const double> row);
   std::size_t rows() const;
+  // Rows that a continued run has found otherwise than the file had them; they were replaced.
+  std::size_t replaced() const;
   // Puts everything recorded so far on the disk, at the cost of writing the whole file: every few
   // seconds, and before a checkpoint. Throws OutputError and keeps the last good file.
   void flush();

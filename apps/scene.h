@@ -122,9 +122,10 @@ struct NumericsScene {
 };
 
 struct OutputScene {
-  double history_interval = 0.01;  // [s]
-  double picture_interval = 0;     // [s]; 0: pictures of the end only
-  bool energy_ledger = false;      // where the work goes, in the history
+  double history_interval = 0.01;    // [s]
+  double picture_interval = 0;       // [s]; 0: pictures of the end only
+  bool energy_ledger = false;        // where the work goes, in the history
+  double checkpoint_interval = 600;  // of wall time [s]
 };
 
 struct GyratoryScene {

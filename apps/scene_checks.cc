@@ -1,7 +1,6 @@
 #include "apps/scene_checks.h"
 
 #include <cmath>
-#include <filesystem>
 #include <numeric>
 
 #include "apps/binder_table.h"
@@ -17,8 +16,7 @@ class CrossCheck {
 
   void check(StonesScene& stones) const {
     if (!sound("stones.gradation") || stones.gradation.empty()) return;
-    const std::filesystem::path folder = std::filesystem::path(document_.path).parent_path();
-    stones.gradation = (folder / stones.gradation).lexically_normal().string();
+    stones.gradation = document_.path_from("stones.gradation", stones.gradation);
     Mistakes in_table;
     stones.sieves = read_sieve_table(stones.gradation, place("stones.gradation"), in_table);
     mistakes_.add(in_table);

@@ -50,6 +50,34 @@ std::string manual() {
   return text;
 }
 
+// Of a table: one line, with nothing in it that ends a cell.
+std::string cell(const std::string& text) {
+  std::string plain;
+  for (const char letter : text)
+    plain += letter == '\n' ? " " : letter == '|' ? "\\|" : std::string(1, letter);
+  return plain;
+}
+
+std::string default_cell(const Parameter& parameter, const UnitSystem& units) {
+  if (parameter.presence.need == Need::has_default) return '`' + as_toml(parameter, units) + '`';
+  if (parameter.presence.need == Need::required) return "required";
+  return "absent; `" + parameter.presence.example + '`';
+}
+
+std::string table(const Section& section, const UnitSystem& units) {
+  std::string text = "## [" + section.name + "]\n\n" + section.meaning + "\n\n" +
+                     "| key | default | values | meaning | source |\n|---|---|---|---|---|\n";
+  for (const Parameter& parameter : section.parameters) {
+    std::string values = bounds_text(parameter);
+    for (const std::string& choice : parameter.choices)
+      values += (values.empty() ? "" : " or ") + choice;
+    text += "| `" + parameter.name + "` | " + cell(default_cell(parameter, units)) + " | " +
+            cell(values) + " | " + cell(parameter.meaning) + " | " + cell(parameter.source) +
+            " |\n";
+  }
+  return text + '\n';
+}
+
 Json bounded(const char* type, const Parameter& parameter, const UnitSystem& units) {
   const auto si = [&](double bound) {
     return units.convert(bound, parameter.unit.shown, parameter.unit.si).value();
@@ -108,6 +136,8 @@ std::string schema() {
   Scene scene;
   Json root = closed_object();
   root["$schema"] = "https://json-schema.org/draft/2020-12/schema";
+  root["properties"]["include"] = {{"type", "string"},
+                                   {"description", "path of the scene that this one lies over"}};
   for (const Section& section : describe(scene)) {
     const auto required = [](const Parameter& p) { return p.presence.need == Need::required; };
     if (!section.drop && std::ranges::any_of(section.parameters, required))
@@ -133,6 +163,30 @@ std::string gyratory_scene_manual() {
 }
 std::string flow_scene_manual() {
   return manual<FlowTestScene>();
+}
+std::string scene_reference() {
+  const UnitSystem units;
+  GyratoryScene gyratory;
+  FlowTestScene flow;
+  std::string text =
+      "# The keys of a scene\n\n"
+      "Written by the program from the declarations that it reads scenes with; a test keeps the "
+      "two "
+      "equal.\n"
+      "A quantity is a string with its unit, in any unit of its dimension, or a bare number in SI. "
+      "`gyratory`\n"
+      "takes all sections but `[flow]`; `flow_test` takes `[run]`, `[stones]`, "
+      "`[stones.fracture]`, "
+      "`[binder]`,\n"
+      "`[fill]`, `[flow]`, `[numerics]` and `[output]`. Above the first section, `include = "
+      "\"base.toml\"` lays\n"
+      "the file over another one, whose keys and sections it replaces, or takes away with `key = "
+      "\"none\"`.\n\n";
+  for (const Section& section : describe(gyratory)) text += table(section, units);
+  for (const Section& section : describe(flow))
+    if (section.name == "flow") text += table(section, units);
+  text.pop_back();
+  return text;
 }
 std::string gyratory_scene_schema() {
   return schema<GyratoryScene>();

@@ -9,6 +9,9 @@ namespace apps {
 std::string gyratory_scene_manual();
 std::string flow_scene_manual();
 
+// The reference page: every key of both scenes in tables (Markdown).
+std::string scene_reference();
+
 // A JSON Schema (draft 2020-12), with which an editor checks and completes a scene as it is typed.
 std::string gyratory_scene_schema();
 std::string flow_scene_schema();

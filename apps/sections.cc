@@ -3,7 +3,7 @@
 namespace apps {
 namespace {
 
-constexpr Unit second{"s", "s"};
+constexpr Unit second{"s", "s"}, minute{"min", "s"};
 constexpr const char* ours = "our choice";
 
 }  // namespace
@@ -28,7 +28,9 @@ Section describe(OutputScene& output) {
            {&output.picture_interval, "picture_interval", second, at_least(0),
             "of simulated time between pictures; 0: only the end", ours},
            {&output.energy_ledger, "energy_ledger", pure, unbounded,
-            "where the work goes, in the history; takes time, changes no other result", ours}}};
+            "where the work goes, in the history; takes time, changes no other result", ours},
+           {&output.checkpoint_interval, "checkpoint_interval", minute, positive,
+            "of wall time between checkpoints, from which --resume goes on", ours}}};
 }
 
 std::vector<Section> describe(GyratoryScene& scene) {

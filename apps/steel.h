@@ -22,6 +22,12 @@ class SteelPart {
 
   void exchange(dem::Wall& wall, double dt) { coupled_->exchange(wall, dt); }  // dt [s]
 
+  // See dem/state.h.
+  template <class Visit>
+  void visit_state(Visit& visit, const std::string& in) {
+    coupled_->visit_state(visit, in);
+  }
+
   double mass() const { return body_.mass(); }  // [kg]
   const coupling::ElasticWall& coupled() const { return *coupled_; }
   const fem::ElasticBody& body() const { return body_; }

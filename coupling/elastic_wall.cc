@@ -27,13 +27,19 @@ ElasticWall::ElasticWall(fem::ReducedBody body, const dem::Wall& wall,
   const auto& area = wall.field->area;
   const double face = std::accumulate(area.begin(), area.end(), 0.0);
   bed_stiffness_ = settings.bed_modulus * face / std::sqrt(face);
-  gain_ = bed_stiffness_ * body_.stiffness.cwiseInverse();
-  for (Eigen::Index m = 0; m < gain_.size(); ++m)
-    (gain_[m] > settings.static_gain ? oscillators_ : statics_).push_back(m);
-  swinging_ = body_.shape(Eigen::all, oscillators_);
-  following_ = body_.shape(Eigen::all, statics_);
+  sort_modes();
   amplitude_ = velocity_ = Eigen::VectorXd::Zero(gain_.size());
   gathered_ = static_velocity_ = Eigen::VectorXd::Zero(body_.shape.rows());
+}
+
+void ElasticWall::sort_modes() {
+  gain_ = bed_stiffness_ * body_.stiffness.cwiseInverse();
+  oscillators_.clear();
+  statics_.clear();
+  for (Eigen::Index m = 0; m < gain_.size(); ++m)
+    (gain_[m] > settings_.static_gain ? oscillators_ : statics_).push_back(m);
+  swinging_ = body_.shape(Eigen::all, oscillators_);
+  following_ = body_.shape(Eigen::all, statics_);
 }
 
 void ElasticWall::exchange(dem::Wall& wall, double dt) {

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <string>
 #include <vector>
 
 #include "dem/simulation.h"
@@ -35,9 +36,15 @@ class ElasticWall {
 
   const fem::ReducedBody& body() const { return body_; }
   const Eigen::VectorXd& amplitude() const { return amplitude_; }  // of the modes [m]
+  const Eigen::VectorXd& gain() const { return gain_; }            // bound, of each mode [-]
   int oscillators() const { return static_cast<int>(oscillators_.size()); }
 
+  // Shows, as in dem/state.h, the modes too: solvers may find them with other signs and last bits.
+  template <class Visit>
+  void visit_state(Visit& visit, const std::string& in);
+
  private:
+  void sort_modes();                                      // by gain into oscillators and statics
   void swing(const Eigen::VectorXd& impulse, double dt);  // moves the oscillators [N s], [s]
   void relax();                                           // moves the static modes
 
@@ -53,6 +60,21 @@ class ElasticWall {
   double span_ = 0;                                  // time since the last exchange [s]
   int waited_ = 0;                                   // steps since the last exchange
 };
+
+template <class Visit>
+void ElasticWall::visit_state(Visit& visit, const std::string& in) {
+  visit(in + "stiffness", body_.stiffness);
+  visit(in + "mass", body_.mass);
+  visit(in + "shape", body_.shape);
+  visit(in + "full_shape", body_.full_shape);
+  visit(in + "amplitude", amplitude_);
+  visit(in + "mode_velocity", velocity_);
+  visit(in + "gathered", gathered_);
+  visit(in + "static_velocity", static_velocity_);
+  visit(in + "span", span_);
+  visit(in + "waited", waited_);
+  sort_modes();
+}
 
 // The points at which a reduced body must be sampled for a wall's letterbox: (3, nodes) [m].
 Eigen::Matrix3Xd letterbox_points(const dem::Wall& wall);

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "dem/contact_law.h"
@@ -53,6 +54,12 @@ class ContactHistory {
   }
   std::span<double> raw() {
     return {reinterpret_cast<double*>(blocks_.data()), blocks_.size() * numbers * lanes};
+  }
+
+  // See dem/state.h.
+  template <class Visit>
+  void visit_state(Visit& visit, const std::string& in) {
+    visit(in + "history", blocks_);
   }
 
  private:

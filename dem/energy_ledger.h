@@ -8,6 +8,7 @@
 // from their mechanisms (contact_energy.h): the residual checks each against the others.
 #pragma once
 
+#include <string>
 #include <unordered_map>
 #include <variant>
 #include <vector>
@@ -31,6 +32,22 @@ class EnergyLedger {
   void restart() { *this = {}; }
 
   const Energies& energies() const { return energies_; }
+
+  // See dem/state.h.
+  template <class Visit>
+  void visit_state(Visit& visit, const std::string& in) {
+    visit(in + "energies", energies_);
+    visit(in + "open", open_);
+    visit(in + "potential", potential_);
+    visit(in + "rebuilds", rebuilds_);
+    visit(in + "pair", pair_);
+    visit(in + "seen", seen_);
+    visit(in + "frame", frame_);
+    visit(in + "softness", softness_);
+    at_wall_.resize(frame_.size());
+    for (std::size_t w = 0; w < frame_.size(); ++w)
+      visit(in + "wall" + std::to_string(w), at_wall_[w]);
+  }
 
  private:
   // A contact at the last look; all zero: the bodies do not meet.

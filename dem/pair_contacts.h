@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "dem/contact_history.h"
@@ -58,6 +59,16 @@ class PairContacts {
   std::int64_t held() const;  // slots whose contact would outlive a gap: bonds
   std::int32_t first(std::int64_t slot) const { return first_[slot]; }
   std::int32_t second(std::int64_t slot) const { return second_[slot]; }
+
+  // See dem/state.h. The tallies, emptied in every step, are laid out again.
+  template <class Visit>
+  void visit_state(Visit& visit, const std::string& in, std::size_t stones) {
+    history.visit_state(visit, in);
+    visit(in + "first", first_);
+    visit(in + "second", second_);
+    visit(in + "slots", slots_);
+    tallies.take(first_, second_, stones);
+  }
 
  private:
   template <class T>

@@ -12,6 +12,7 @@
 #include "dem/integrator.h"
 #include "dem/neighbor_list.h"
 #include "dem/pair_contacts.h"
+#include "dem/state.h"
 #include "dem/time_step.h"
 #include "dem/trouble.h"
 #include "dem/wall.h"
@@ -68,6 +69,10 @@ class Simulation {
   std::vector<int> coordination() const;  // stones that touch each stone, by place
   const PairContacts<Law>& pairs() const { return pairs_; }
   const WallContacts<Law>& wall_contacts(std::size_t wall) const { return wall_contacts_[wall]; }
+
+  // See dem/state.h; the walls must have been added.
+  template <class Visit>
+  void visit_state(Visit& visit);
 
  private:
   void move_walls(Steps steps);
@@ -220,6 +225,29 @@ void Simulation<Law>::inspect(const Extremes& pair, const std::vector<Extremes>&
   }
   if (rate > 0) limiting_ = limiting;
   if (clock_.look(rate)) set_time_step(clock_.step());
+}
+
+template <ContactLaw Law>
+template <class Visit>
+void Simulation<Law>::visit_state(Visit& visit) {
+  dem::visit_state(visit, "stones.", stones_);
+  dem::visit_state(visit, "list.", list_);
+  pairs_.visit_state(visit, "pairs.", stones_.size());
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    dem::visit_state(visit, walls_[w].name + '.', walls_[w]);
+    wall_contacts_[w].visit_state(visit, walls_[w].name + ".contacts.");
+  }
+  visit("reference", reference_);
+  visit("cracks", cracks_);
+  visit("clock", clock_);
+  visit("limiting", limiting_);
+  visit("time", time_);
+  visit("drag", drag_);
+  visit("last_step", last_step_);
+  visit("steps", steps_);
+  visit("rebuilds", rebuilds_);
+  visit("stale", stale_);
+  set_time_step(clock_.step());
 }
 
 template <ContactLaw Law>

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <span>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -44,6 +45,15 @@ class WallContacts {
 
   std::int64_t slots() const { return slots_; }
   const Touch& touch(std::int64_t slot) const { return touches_[slot]; }
+
+  // See dem/state.h.
+  template <class Visit>
+  void visit_state(Visit& visit, const std::string& in) {
+    history.visit_state(visit, in);
+    visit(in + "stones", stones);
+    visit(in + "touches", touches_);
+    visit(in + "slots", slots_);
+  }
 
  private:
   template <class T>

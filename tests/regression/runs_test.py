@@ -4,6 +4,8 @@
 Each test is one run or two of a bed small enough to take seconds."""
 import json
 import os
+import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -125,6 +127,26 @@ class Runs(unittest.TestCase):
         self.assertLess(history["displacement"][lowest], 0.6 * history["displacement"][-1])
         self.assertGreater(history["force"][-1], 0)
 
+    def test_a_report_of_runs_needs_no_other_file(self):
+        plot = os.path.join(SCENES, "..", "plot_run.py")
+        folders = []
+        for seed in ("1", "2"):
+            self.run_scene("run" + seed, "flow_test", "flow_sma11_150C.toml",
+                           ["stones.count=130", "flow.length=50 mm", "flow.width=35 mm",
+                            "flow.height=30 mm", "flow.strip_length=15 mm",
+                            "flow.displacement=0.15 mm", "run.seed=" + seed])
+            folders.append(os.path.join(self.place.name, "run" + seed))
+        done = subprocess.run(["/usr/bin/python3", plot, *folders, "--report"], check=True,
+                              capture_output=True, text=True)
+        with open(done.stdout.strip()) as file:
+            page = file.read()
+        self.assertEqual(page.count("<svg"), 3)  # the two runs and their comparison
+        self.assertTrue("uplift_lowest_m" in page and "seed = 2" in page)
+        self.assertEqual(re.findall(r'(?:src|href)="[^#][^"]*"', page), [])
+        # A finished run is drawn once and not watched any longer.
+        subprocess.run(["/usr/bin/python3", plot, folders[0], "--live", "1"], check=True, timeout=60)
+        self.assertTrue(os.path.exists(os.path.join(folders[0], "run.png")))
+
     def test_mistakes_end_with_status_2_and_nothing_written(self):
         folder = os.path.join(self.place.name, "never")
         for program, scene, override in (
@@ -138,6 +160,70 @@ class Runs(unittest.TestCase):
             self.assertEqual(done.returncode, 2, override)
             self.assertIn("expected", done.stderr)
             self.assertFalse(os.path.exists(folder))
+
+    def test_check_reports_eight_mistakes_in_eight_lines(self):
+        # Where each mistake stands: line and column of the value, or of a key that is itself wrong.
+        with open(os.path.join(self.place.name, "sieves.csv"), "w") as file:
+            file.write("sieve_mm,passing_percent\n2,25\n8,57\n16,100\n")
+        scene = os.path.join(self.place.name, "scene.toml")
+        with open(scene, "w") as file:
+            file.write("""[stones]
+count = 450.5
+gradation = "sieves.csv"
+yuong = "74 GPa"
+poisson = 0.5
+[binder]
+content = "6.6 %"
+temperature = "130 degC"
+[mould]
+diameter = "50 kg"
+[gyration]
+pressure = 600 kPa
+speed = "0.5 revs/s"
+[head.elastik]
+modes = 20
+""")
+        done = subprocess.run([os.path.join(BIN, "gyratory"), scene, "--check"],
+                              capture_output=True, text=True)
+        self.assertEqual(done.returncode, 2)
+        expected = [("2:9", "whole number"), ("4:1", "\"stones.young\"?"), ("5:11", "below 0.5"),
+                    ("8:15", "110 degC or 150 degC"), ("10:12", "50 kg"), ("12:12", "quotes"),
+                    ("13:9", "unknown unit"), ("14:1", "\"head.elastic\"?")]
+        lines = done.stderr.splitlines()
+        self.assertEqual(len(lines), len(expected), done.stderr)
+        for line, (place, words) in zip(lines, expected):
+            self.assertTrue(line.startswith(f"{scene}:{place}: expected "), line)
+            self.assertIn(words, line)
+
+    def test_check_says_what_the_run_will_be(self):
+        # The estimate of the steps against the run itself: a factor of three is promised.
+        scene = SMALL + RIGID + ["gyration.count=0.5"]
+        line = command("gyratory", "gyratory_sma11_150C.toml", "unused", scene, "--check")
+        told = subprocess.run([word for word in line if word != "--quiet"], check=True,
+                              capture_output=True, text=True).stdout
+        steps = float(re.search(r"steps +about (\S+)", told).group(1))
+        taken = self.gyrate("run", RIGID + ["gyration.count=0.5"])[1]["steps"]
+        self.assertLess(steps, 3 * taken)
+        self.assertGreater(steps, taken / 3)
+        self.assertIn("quasi-static", told)
+        self.assertIn("warning: the mould is small for the largest stone", told)
+        self.assertFalse(os.path.exists("unused"))
+
+    def test_the_described_scene_and_the_schema_are_those_of_the_reader(self):
+        for program in ("gyratory", "flow_test"):
+            ask = lambda option: subprocess.run([os.path.join(BIN, program), option], check=True,
+                                                capture_output=True, text=True).stdout
+            scene = os.path.join(self.place.name, program + ".toml")
+            with open(scene, "w") as file:
+                file.write(ask("--describe"))
+            for name in os.listdir(os.path.join(SCENES, "gradations")):
+                os.makedirs(os.path.join(self.place.name, "gradations"), exist_ok=True)
+                shutil.copy(os.path.join(SCENES, "gradations", name),
+                            os.path.join(self.place.name, "gradations"))
+            done = subprocess.run([os.path.join(BIN, program), scene, "--check", "--quiet"],
+                                  capture_output=True, text=True)
+            self.assertNotIn("known", done.stderr)  # its sizes need not fit each other
+            self.assertIn("stones", json.loads(ask("--schema"))["properties"])
 
     def test_a_crushed_bed_stops_with_status_3_naming_the_stone(self):
         folder = os.path.join(self.place.name, "crushed")

@@ -2,7 +2,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstdlib>
+#include <fstream>
+
 #include "apps/sections.h"
+#include "apps/text.h"
 #include "tests/unit/scene_fixture.h"
 
 namespace {
@@ -62,6 +66,13 @@ TEST_F(SceneManual, has_a_schema_that_knows_the_same_keys) {
   EXPECT_EQ(angle.at("default"), "1 deg");
   // 5 deg = 5 pi / 180 rad, rounded once.
   EXPECT_NEAR(angle.at("anyOf").at(0).at("maximum").get<double>(), 0.0872664625997165, 1e-16);
+}
+
+TEST_F(SceneManual, is_the_reference_page_of_the_docs) {
+  // WRITE_PAGES=1 in the environment writes the page anew instead of comparing it.
+  const std::string page = SCENES_FOLDER "/../docs/scene_keys.md";
+  if (std::getenv("WRITE_PAGES")) std::ofstream(page) << apps::scene_reference();
+  EXPECT_EQ(apps::read_text(page).value_or("no page"), apps::scene_reference());
 }
 
 }  // namespace

@@ -1,0 +1,22 @@
+#include "apps/findings.h"
+
+namespace apps {
+
+std::vector<Finding> bed_findings(const BedReport& bed, const Mix& mix,
+                                  const NumericsScene& numerics, int seed, double wall_seconds) {
+  return {{"stones", bed.stones},
+          {"steps", bed.steps},
+          {"time_step_s", bed.time_step},
+          {"limiting_contact", bed.limiting_contact},
+          {"mass_scale", numerics.mass_scale},
+          {"wall_seconds", wall_seconds},
+          {"particle_steps_per_second",
+           static_cast<double>(bed.stones) * static_cast<double>(bed.steps) / wall_seconds},
+          {"fractured_stones", bed.cracks},
+          {"shell_thickness_m", mix.shell},
+          {"bitumen_fraction", mix.bitumen_fraction},
+          {"neighbor_rebuilds", bed.rebuilds},
+          {"seed", static_cast<std::int64_t>(seed)}};
+}
+
+}  // namespace apps

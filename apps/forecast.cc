@@ -1,0 +1,96 @@
+#include "apps/forecast.h"
+
+#include <fmt/format.h>
+
+#include <numbers>
+#include <numeric>
+
+namespace apps {
+namespace {
+
+constexpr double touching_neighbours = 5;  // of a stone, measured
+constexpr double falls_to_rest = 1.7;      // times of free fall until a bed is at rest, measured
+// Inertial numbers up to which a flow is quasi-static (GDR MiDi 2004), and up to which its forces
+// still are roughly those of rest.
+constexpr double quasi_static = 1e-3, nearly_static = 1e-2;
+constexpr double enough_widths = 4;  // 150 mm for stones up to 37.5 mm: AASHTO T 312, from memory
+
+// Time step of the smallest stone pressed on one like it by a force [N].
+double step_under(double force, double radius, const BedPlan& plan) {
+  const StonesScene& stone = plan.stones;
+  const double modulus = stone.young / (2 * (1 - stone.poisson * stone.poisson));  // E0
+  const double effective = radius / 2;
+  const double overlap = std::pow(0.75 * force / (modulus * std::sqrt(effective)), 2.0 / 3.0);
+  const double stiffness = 2 * modulus * std::sqrt(effective * overlap);
+  const double mass = stone.density * 4.0 / 3.0 * std::numbers::pi * std::pow(radius, 3);
+  return plan.numerics.safety * std::sqrt(plan.numerics.mass_scale * mass / stiffness);
+}
+
+std::string duration(double seconds) {
+  if (seconds < 120) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 7200) return fmt::format("{:.0f} min", seconds / 60);
+  return fmt::format("{:.1f} h", seconds / 3600);
+}
+
+}  // namespace
+
+BedForecast forecast(const BedPlan& plan, const Mix& mix, const Loading& loading) {
+  BedForecast told = {};
+  const auto count = static_cast<double>(mix.radius.size());
+  const double mean =
+      2 * std::accumulate(mix.radius.begin(), mix.radius.end(), 0.0) / count;  // diameter [m]
+  told.stone_count = count;
+  told.shell = mix.shell;
+  told.smallest = 2 * mix.smallest_radius();
+  told.largest = 2 * mix.largest_radius();
+  told.contacts = 0.5 * touching_neighbours * count;
+  told.load = loading.pressure * mean * mean;
+  told.loaded_step = step_under(told.load, mix.smallest_radius(), plan);
+  told.settling_time = falls_to_rest;  // in times of free fall until the gas is packed
+  told.loaded_time = loading.duration;
+  // da Cruz et al. (2005), with the inertia that the stones have.
+  told.inertial_number =
+      loading.shear_rate * mean *
+      std::sqrt(plan.numerics.mass_scale * plan.stones.density / loading.pressure);
+  told.widths = loading.width / told.largest;
+  return told;
+}
+
+std::vector<std::string> forecast_lines(const BedForecast& told, const NumericsScene& numerics) {
+  std::vector<std::string> lines = {
+      fmt::format("stones           {:.0f}, diameters {:.2f} to {:.2f} mm", told.stone_count,
+                  1e3 * told.smallest, 1e3 * told.largest),
+      fmt::format("shell thickness  {:.3f} mm", 1e3 * told.shell),
+      fmt::format("contacts         about {:.0f} between stones", told.contacts),
+      fmt::format("time step        {:.2e} s while loose, about {:.1e} s under load",
+                  told.loose_step, told.loaded_step),
+      fmt::format("limited by       two of the smallest stones, later pressed by about {:.2g} N",
+                  told.load),
+      fmt::format("steps            about {:.1e} ({:.0f} s of settling, {:.0f} s after it)",
+                  told.steps(), told.settling_time, told.loaded_time),
+      fmt::format("time to take     about {} here ({:.2g} ms a step, elastic steel not counted)",
+                  duration(told.seconds()), 1e3 * told.seconds_per_step),
+      fmt::format("inertial number  {:.1e} (quasi-static below {:.0e})", told.inertial_number,
+                  quasi_static)};
+  const double most = numerics.mass_scale * std::pow(quasi_static / told.inertial_number, 2);
+  if (told.inertial_number > nearly_static)
+    lines.push_back(fmt::format(
+        "warning: numerics.mass_scale = {:.0f} is too high, the stones' inertia will carry part of "
+        "the load; {:.0f} would be quasi-static",
+        numerics.mass_scale, std::max(1.0, most)));
+  else if (told.inertial_number > quasi_static)
+    lines.push_back(fmt::format(
+        "warning: numerics.mass_scale = {:.0f} is high for a quasi-static run ({:.0f} would be); "
+        "show that half of it gives the same curve",
+        numerics.mass_scale, std::max(1.0, most)));
+  if (told.widths < enough_widths)
+    lines.push_back(fmt::format(
+        "warning: the mould is small for the largest stone, {:.1f} of them wide; below {:.0f} the "
+        "walls order the stones and air voids are too high",
+        told.widths, enough_widths));
+  if (told.seconds() > 86400)
+    lines.push_back("warning: more than a day; fewer stones or a larger mass_scale take less");
+  return lines;
+}
+
+}  // namespace apps

@@ -1,0 +1,80 @@
+#include "apps/run_folder.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <regex>
+
+#include "apps/errors.h"
+#include "apps/whole_file.h"
+
+namespace apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool holds_run(const fs::path& folder) {
+  std::error_code error;
+  return fs::exists(folder / "results.h5", error) || fs::exists(folder / stored_scene_file, error);
+}
+
+// Only what a run writes; what else lies in the folder is somebody's.
+void remove_run(const fs::path& folder) {
+  const std::regex ours(
+      R"((results\.h5|summary\.json|scene\.toml|gradation\.csv|checkpoint(\.older)?(\.refused)?)"
+      R"(|(stones|head|mould|strip)(_\d{4,}\.vt[pu]|\.pvd))(\.part)?)");
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    if (!std::regex_match(entry.path().filename().string(), ours)) continue;
+    if (!fs::remove(entry.path(), error))
+      throw OutputError("cannot remove '" + entry.path().string() + "': " + error.message());
+  }
+}
+
+}  // namespace
+
+RunFolder::RunFolder(const std::string& path, const StoredScene& scene, bool overwrite)
+    : path_(path) {
+  std::error_code error;
+  fs::create_directories(path_, error);
+  if (error) throw OutputError(path_ + ": cannot be created: " + error.message());
+  lock();
+  if (holds_run(path_)) {
+    if (!overwrite)
+      throw OutputError(path_ +
+                        ": expected a folder without a run, found one (results.h5); go on with "
+                        "--resume " +
+                        path_ + ", replace it with --overwrite, or choose another --out");
+    remove_run(path_);
+  }
+  write_whole_file(file(stored_gradation_file), scene.gradation);
+  write_whole_file(file(stored_scene_file), scene.text);
+}
+
+RunFolder::RunFolder(const std::string& path) : path_(path) {
+  lock();
+}
+
+RunFolder::~RunFolder() {
+  if (lock_ >= 0) ::close(lock_);
+}
+
+void RunFolder::lock() {
+  lock_ = ::open(file("lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (lock_ < 0) throw OutputError(path_ + ": cannot be written: " + std::strerror(errno));
+  if (::flock(lock_, LOCK_EX | LOCK_NB) == 0) return;
+  const int trouble = errno;
+  ::close(lock_);
+  lock_ = -1;
+  if (trouble == EWOULDBLOCK)
+    throw OutputError(path_ +
+                      ": another process runs here; wait for its end or choose another --out");
+  throw OutputError(path_ + ": cannot be locked: " + std::strerror(trouble));
+}
+
+}  // namespace apps

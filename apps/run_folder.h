@@ -1,0 +1,45 @@
+// The folder of a run: claimed by one process at a time, holding the scene that it runs.
+//
+//   scene.toml, gradation.csv        all of the scene, so that the run can be continued or repeated
+//   results.h5, summary.json, *.pvd  what it found
+//   checkpoint, checkpoint.older     where it was (checkpoint.h)
+//   lock                             held while a process runs here
+#pragma once
+
+#include <string>
+
+namespace apps {
+
+// A scene as text, with everything that it refers to.
+struct StoredScene {
+  std::string text;       // every key of the scene, naming gradation.csv
+  std::string gradation;  // the sieve table
+
+  friend bool operator==(const StoredScene&, const StoredScene&) = default;
+};
+
+inline constexpr const char* stored_scene_file = "scene.toml";
+inline constexpr const char* stored_gradation_file = "gradation.csv";
+
+class RunFolder {
+ public:
+  // Begins a run. A folder that holds one already is refused, or emptied of it with `overwrite`.
+  // Throws OutputError, as it does where another process runs in the folder.
+  RunFolder(const std::string& path, const StoredScene& scene, bool overwrite);
+  // Goes on with the run of a folder.
+  explicit RunFolder(const std::string& path);
+  ~RunFolder();
+  RunFolder(const RunFolder&) = delete;
+  RunFolder& operator=(const RunFolder&) = delete;
+
+  std::string file(const std::string& name) const { return path_ + '/' + name; }
+  const std::string& path() const { return path_; }
+
+ private:
+  void lock();
+
+  std::string path_;
+  int lock_ = -1;  // descriptor; the system frees the lock however the process ends
+};
+
+}  // namespace apps
