@@ -58,6 +58,12 @@ class Flattener {
       if (const toml::table* section = node.as_table()) {
         document_.sections[name] = place(section->source());
         flatten(*section, name + ".");
+      } else if (node.is_array_of_tables()) {
+        const toml::array& entries = *node.as_array();
+        for (std::size_t i = 0; i < entries.size(); ++i) {
+          document_.sections[repeated(name, i)] = place(entries[i].source());
+          flatten(*entries[i].as_table(), repeated(name, i) + '.');
+        }
       } else {
         document_.values[name] = value(node, place(key.source()));
       }
@@ -218,7 +224,8 @@ class Parser {
 
 void remove(Document& document, const std::string& key, const Place& place) {
   const auto at_or_below = [&](const auto& item) {
-    return item.first == key || item.first.starts_with(key + ".");
+    return item.first == key || item.first.starts_with(key + ".") ||
+           item.first.starts_with(key + "[");
   };
   std::erase_if(document.values, at_or_below);
   std::erase_if(document.sections, at_or_below);
@@ -264,6 +271,16 @@ void apply_option(Document& document, const std::string& option, Mistakes& mista
 }
 
 }  // namespace
+
+std::string repeated(const std::string& section, std::size_t number) {
+  return section + '[' + std::to_string(number) + ']';
+}
+
+std::size_t Document::repetitions(const std::string& section) const {
+  std::size_t count = 0;
+  while (sections.contains(repeated(section, count))) ++count;
+  return count;
+}
 
 const Value* Document::find(const std::string& key) const {
   const auto found = values.find(key);

@@ -20,10 +20,11 @@ void compact(const apps::Options& options) {
   const double began = apps::wall_clock();
   apps::claim_folder(options.out);
   apps::with_law(book, [&]<class Law>() {
+    std::vector<apps::Column> columns = apps::GyratoryRun<Law>::columns();
+    std::ranges::copy(apps::WallOutputs::columns(scene), std::back_inserter(columns));
     apps::Recorder recorder(
         options.out + "/results.h5",
-        apps::provenance("gyratory", options, scene.source.text, scene.run.seed),
-        apps::GyratoryRun<Law>::columns());
+        apps::provenance("gyratory", options, scene.source.text, scene.run.seed), columns);
     apps::Progress progress(std::cout, isatty(STDOUT_FILENO), options.quiet);
     apps::GyratoryRun<Law> run(scene, mix, book, machine);
     run.fill(progress);

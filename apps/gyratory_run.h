@@ -14,6 +14,7 @@
 #include "apps/recorder.h"
 #include "apps/steel.h"
 #include "apps/summary.h"
+#include "apps/wall_outputs.h"
 
 namespace apps {
 
@@ -28,7 +29,7 @@ class GyratoryRun {
   void compact(Recorder& recorder, GyratoryPictures& pictures, Progress& progress);
   std::vector<Finding> findings(double wall_seconds) const;
 
-  static std::vector<Column> columns();
+  static std::vector<Column> columns();  // those of WallOutputs follow
 
  private:
   enum Part { floor, mould, head };  // the walls, in the order they are added
@@ -59,6 +60,9 @@ class GyratoryRun {
   double settled_height_ = 0;  // of the bed then, mean of its highest points [m]
   std::int64_t settled_steps_ = 0;
   Means means_;
+  WallOutputs wall_outputs_;
+  double setup_seconds_ = 0;                    // from the meshes to the reduced bodies
+  double exchanging_ = 0, stepping_ = 0;        // wall clock of sampled steps [s]
   std::vector<std::vector<double>> ramp_rows_;  // held until air_voids_decrease has its reference
   std::vector<std::vector<double>> rows_;       // of the last two gyrations, for the findings
   std::optional<double> voids_at_start_;        // when the gyrations begin [-]
@@ -72,7 +76,8 @@ GyratoryRun<Law>::GyratoryRun(const GyratoryScene& scene, const Mix& mix, const 
       book_(book),
       machine_(machine),
       bed_(make_bed<Law>(scene.stones, mix, book, scene.fill, scene.numerics, scene.run.seed,
-                         dem::RoundMould{machine.mould_radius})) {
+                         dem::RoundMould{machine.mould_radius})),
+      wall_outputs_(scene, machine) {
   dem::Wall base, ring;
   base.name = "floor";
   base.surface = dem::Plane{};
@@ -105,6 +110,7 @@ void GyratoryRun<Law>::fill(Progress& progress) {
 template <class Law>
 void GyratoryRun<Law>::close() {
   closed_at_ = bed_.time();
+  const double began = wall_clock();
   settled_height_ = dem::mean_of_highest(bed_.stones(), highest_points);
   dem::Wall plate;
   plate.name = "head";
@@ -135,6 +141,8 @@ void GyratoryRun<Law>::close() {
   bed_.add_wall(plate, wall_law(head, true));
   if (scene_.mould.elastic)
     elastic_mould_.emplace(*scene_.mould.elastic, machine_, scene_.numerics, bed_.walls()[mould]);
+  setup_seconds_ = wall_clock() - began;
+  wall_outputs_.begin(bed_.walls(), elastic_mould_);
   bed_.set_laws(book_.law<Law>({std::nullopt, scene_.stones.friction}, true),
                 {wall_law(floor, true), wall_law(mould, true), wall_law(head, true)});
 }
@@ -151,12 +159,23 @@ double GyratoryRun<Law>::air_voids(double plate_height) const {
 
 template <class Law>
 void GyratoryRun<Law>::step() {
+  constexpr std::int64_t sampling = 64;  // steps between those that are timed
+  const bool timed = bed_.steps() % sampling == 0;
+  const double began = timed ? wall_clock() : 0;
   bed_.step();
   const double dt = bed_.time_step();
   dem::Wall& plate = bed_.walls()[head];
   dem::Wall& ring = bed_.walls()[mould];
+  wall_outputs_.look(bed_.walls(), dt, plate.frame.origin.z, [this](int part) {
+    return bed_.wall_contacts(part).bending_power(bed_.walls()[part]);
+  });
+  const double stepped = timed ? wall_clock() : 0;
   if (elastic_head_) elastic_head_->exchange(plate, dt);
   if (elastic_mould_) elastic_mould_->exchange(ring, dt);
+  if (timed) {
+    stepping_ += stepped - began;
+    exchanging_ += wall_clock() - stepped;
+  }
   means_.span += dt;
   means_.force += plate.force * dt;
   means_.moment += plate.moment * dt;
@@ -220,8 +239,10 @@ template <class Law>
 void GyratoryRun<Law>::record(Recorder& recorder) {
   std::vector<double> values = row();
   const double voids = values[3];
+  std::ranges::copy(wall_outputs_.row(), std::back_inserter(values));
+  wall_outputs_.turn(gyration(), bed_.walls()[mould], elastic_mould_, recorder);
   const auto put = [&](std::vector<double> r) {
-    r.push_back(*voids_at_start_ - r[3]);
+    r.insert(r.begin() + columns().size() - 1, *voids_at_start_ - r[3]);
     recorder.append(r);
   };
   if (gyration() < 0) {
@@ -310,6 +331,8 @@ std::vector<Finding> GyratoryRun<Law>::findings(double wall_seconds) const {
       {"fractured_stones", static_cast<std::int64_t>(bed_.cracks().size())},
       {"shell_thickness_m", mix_.shell},
       {"bitumen_fraction", mix_.bitumen_fraction},
+      {"steel_setup_seconds", setup_seconds_},
+      {"coupling_share_of_step", exchanging_ / stepping_},
       {"neighbor_rebuilds", bed_.rebuilds()},
       {"seed", static_cast<std::int64_t>(scene_.run.seed)}};
   if (elastic_head_) {
@@ -317,11 +340,13 @@ std::vector<Finding> GyratoryRun<Law>::findings(double wall_seconds) const {
     found.push_back({"head_tilt_per_moment_rad_per_Nm", tilt.per_moment});
     found.push_back({"head_tilt_per_force_rad_per_N", tilt.per_force});
     found.push_back({"head_unknowns", static_cast<std::int64_t>(elastic_head_->body().unknowns())});
+    found.push_back({"head_gain", elastic_head_->coupled().largest_gain()});
     found.push_back({"head_truncation_error", elastic_head_->coupled().body().truncation_error});
   }
   if (elastic_mould_) {
     found.push_back(
         {"mould_unknowns", static_cast<std::int64_t>(elastic_mould_->body().unknowns())});
+    found.push_back({"mould_gain", elastic_mould_->coupled().largest_gain()});
     found.push_back({"mould_truncation_error", elastic_mould_->coupled().body().truncation_error});
   }
   return found;

@@ -143,8 +143,9 @@ double boussinesq_deflection(const fem::Steel& steel, double force, double dista
   return force * (1 - steel.poisson * steel.poisson) / (pi * steel.young * distance);
 }
 
-double boussinesq_stress(double force, double depth) {
-  return -3 * force / (2 * pi * depth * depth);
+double boussinesq_sinking(const fem::Steel& steel, double force, double depth) {
+  const double nu = steel.poisson;
+  return force * (1 + nu) * (3 - 2 * nu) / (2 * pi * steel.young * depth);
 }
 
 }  // namespace apps

@@ -48,10 +48,10 @@ struct JointRotation {
 };
 JointRotation joint_rotation(const fem::Head& head);
 
-// Half-space under a force [N] on a point: deflection of the surface at a distance [m], stress
-// along the force at a depth below it [Pa]; Boussinesq (1885), Timoshenko & Goodier (1970), article
-// 138.
+// Half-space under a force [N] on a point: displacement along the force [m] at a distance [m] on
+// the surface and at a depth [m] below the point; Boussinesq (1885), Timoshenko & Goodier (1970),
+// article 138.
 double boussinesq_deflection(const fem::Steel& steel, double force, double distance);
-double boussinesq_stress(double force, double depth);
+double boussinesq_sinking(const fem::Steel& steel, double force, double depth);
 
 }  // namespace apps

@@ -35,6 +35,7 @@ class ElasticWall {
 
   const fem::ReducedBody& body() const { return body_; }
   const Eigen::VectorXd& amplitude() const { return amplitude_; }  // of the modes [m]
+  double largest_gain() const { return gain_.maxCoeff(); }  // of the softest mode [-]
   int oscillators() const { return static_cast<int>(oscillators_.size()); }
 
  private:

@@ -135,9 +135,9 @@ void make_mesh(const Mould& mould, MeshSize size, dealii::Triangulation<3>& mesh
   const int sectors = std::max(24, static_cast<int>(arcs)) * parts(size);
   // Radii grow in equal ratios: Lame's stresses go with 1 / r^2, and what an element leaves out of
   // them goes with the square of its ratio less one.
-  constexpr double largest_ratio = 1.15;
-  const int slices =
-      static_cast<int>(std::max(1.0, std::ceil(std::log(outer / inner) / std::log(largest_ratio))));
+  constexpr double largest_ratio = 1.1, rounding = 1e-9;
+  const int slices = static_cast<int>(
+      std::max(1.0, std::ceil(std::log(outer / inner) / std::log(largest_ratio) - rounding)));
   std::vector<double> radii;
   for (int i = 0; i <= slices; ++i)
     radii.push_back(inner * std::pow(outer / inner, static_cast<double>(i) / slices));
