@@ -11,6 +11,7 @@ import os
 import subprocess
 import sys
 import tempfile
+from concurrent.futures import ThreadPoolExecutor
 
 import h5py
 import numpy as np
@@ -34,7 +35,7 @@ def run(changes):
     with tempfile.TemporaryDirectory() as place:
         folder = os.path.join(place, "run")
         line = [os.path.join(BIN, "gyratory"), os.path.join(SCENES, "gyratory_sma11_150C.toml"),
-                "--out", folder, "--quiet"]
+                "--out", folder, "--quiet", "--threads", "1"]
         for key, value in scene.items():
             line += ["--set", f"{key}={value}"]
         done = subprocess.run(line, capture_output=True, text=True)
@@ -103,13 +104,15 @@ def main():
         print(text, flush=True)
         lines.append(text)
 
-    _, steel = run({})
-    if _ is None:
+    history, steel = run({})
+    if history is None:
         sys.exit(steel)
     out("| setting | gain of the head | gain of the mould | stable | drift |\n|---|---|---|---|---|")
     good = True
-    for label, changes in settings(1 / abs(steel["head_tilt_per_moment_rad_per_Nm"])):
-        history, summary = run(changes)
+    asked = list(settings(1 / abs(steel["head_tilt_per_moment_rad_per_Nm"])))
+    with ThreadPoolExecutor(max_workers=4) as workers:
+        answers = list(workers.map(lambda setting: run(setting[1]), asked))
+    for (label, _), (history, summary) in zip(asked, answers):
         stable = history is not None and all(np.isfinite(v).all() for v in history.values())
         good = good and stable
         gains = (f"{summary['head_gain']:.2g} | {summary['mould_gain']:.2g}" if stable else "- | -")
