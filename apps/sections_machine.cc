@@ -26,9 +26,6 @@ void add_steel(Section& section, ElasticScene& body) {
        {&body.modes, "modes", pure, positive,
         "of the reduced body: how many, or, below 1, the share of the largest compliance that may "
         "be left out, as in \"1e-3\"",
-        ours},
-       {&body.full, "full", pure, unbounded,
-        "true: what the modes leave out follows statically, by the full body at every exchange",
         ours}});
 }
 

@@ -33,7 +33,7 @@ SteelPart::SteelPart(const ElasticHeadScene& scene, const Machine& machine,
                      const NumericsScene& numerics, dem::Wall& wall)
     : body_(head_of(scene, machine), fem::MeshSize{}), face_radius_(machine.plate_radius) {
   wall.field.emplace(dem::DiscGrid{machine.plate_radius, plate_rings, sectors});
-  couple(scene.modes, scene.full, numerics, wall);
+  couple(scene.modes, numerics, wall);
 }
 
 SteelPart::SteelPart(const ElasticMouldScene& scene, const Machine& machine,
@@ -42,10 +42,10 @@ SteelPart::SteelPart(const ElasticMouldScene& scene, const Machine& machine,
   const double cell = 2 * std::numbers::pi * machine.mould_radius / sectors;
   const int rows = std::max(4, static_cast<int>(std::lround(scene.height / cell)));
   wall.field.emplace(dem::CylinderGrid{machine.mould_radius, scene.height, rows, sectors});
-  couple(scene.modes, scene.full, numerics, wall);
+  couple(scene.modes, numerics, wall);
 }
 
-void SteelPart::couple(double modes, bool full, const NumericsScene& numerics, dem::Wall& wall) {
+void SteelPart::couple(double modes, const NumericsScene& numerics, dem::Wall& wall) {
   coupling::ExchangeSettings settings;
   settings.interval = numerics.exchange_interval;
   settings.inertia_scale = numerics.head_mass_scale;
@@ -53,7 +53,6 @@ void SteelPart::couple(double modes, bool full, const NumericsScene& numerics, d
   coupled_.emplace(
       modes < 1 ? body_.reduce(modes, points) : body_.reduce(static_cast<int>(modes), points), wall,
       settings);
-  if (full) coupled_->follow_fully(body_.face_compliance(points));
 }
 
 SteelPart::Tilt SteelPart::tilt() const {

@@ -37,7 +37,7 @@ class SteelPart {
   void draw(const std::string& vtu, const dem::Frame& frame) const;
 
  private:
-  void couple(double modes, bool full, const NumericsScene& numerics, dem::Wall& wall);
+  void couple(double modes, const NumericsScene& numerics, dem::Wall& wall);
 
   fem::ElasticBody body_;
   std::optional<coupling::ElasticWall> coupled_;

@@ -36,16 +36,6 @@ ElasticWall::ElasticWall(fem::ReducedBody body, const dem::Wall& wall,
   gathered_ = static_velocity_ = Eigen::VectorXd::Zero(body_.shape.rows());
 }
 
-void ElasticWall::follow_fully(Eigen::MatrixXd compliance) {
-  rest_compliance_ = std::move(compliance);
-  rest_compliance_ -=
-      body_.shape * body_.stiffness.cwiseInverse().asDiagonal() * body_.shape.transpose();
-  rest_ = Eigen::VectorXd::Zero(body_.shape.rows());
-  // No shape of the rest is softer than the last mode by stiffness per area.
-  const double gain = gain_.maxCoeff() * body_.truncation_error;
-  rest_share_ = std::min(0.5, 1 / (1 + gain));
-}
-
 void ElasticWall::exchange(dem::Wall& wall, double dt) {
   dem::SurfaceField& field = *wall.field;
   const auto nodes = static_cast<Eigen::Index>(field.size());
@@ -61,9 +51,7 @@ void ElasticWall::exchange(dem::Wall& wall, double dt) {
     const Eigen::VectorXd displacement =
         Eigen::Map<const Eigen::VectorXd>(&field.displacement.front().x, 3 * nodes);
     const Eigen::VectorXd swung = swinging_ * velocity_(oscillators_) * dt;  // still to be moved
-    Eigen::VectorXd wanted = body_.shape * amplitude_;
-    if (rest_.size() > 0) wanted += rest_;
-    static_velocity_ = (wanted - displacement - swung) / (waited_ * dt);
+    static_velocity_ = (body_.shape * amplitude_ - displacement - swung) / (waited_ * dt);
     waited_ = 0;
   }
   const Eigen::VectorXd velocity = static_velocity_ + swinging_ * velocity_(oscillators_);
@@ -95,10 +83,6 @@ void ElasticWall::relax() {
     const Eigen::Index m = statics_[k];
     const double share = std::min(0.5, 1 / (1 + gain_[m]));
     amplitude_[m] += share * (load[k] / body_.stiffness[m] - amplitude_[m]);
-  }
-  if (rest_.size() > 0) {
-    const Eigen::VectorXd answer = rest_compliance_ * gathered_ / span_;
-    rest_ += rest_share_ * (answer - rest_);
   }
   gathered_.setZero();
   span_ = 0;

@@ -4,10 +4,9 @@
 // A mode whose compliance could answer the bed strongly (gain = bed stiffness / modal stiffness
 // above `static_gain`) is an oscillator with scaled modal mass and damping that moves with every
 // time step, stable for any softness; the others follow statically at every exchange with
-// relaxation 1 / (1 + gain), at most 1/2. What the modes leave out may follow statically, too, by
-// the full body's compliance. The gain comes from a bound on the bed's stiffness, bed_modulus x
-// face area / face size. Plain static exchange diverges where the gain exceeds 1, which head tilt
-// and mould ovalling do.
+// relaxation 1 / (1 + gain), at most 1/2. The gain comes from a bound on the bed's stiffness,
+// bed_modulus x face area / face size. Plain static exchange diverges where the gain exceeds 1,
+// which head tilt and mould ovalling do.
 #pragma once
 
 #include <Eigen/Dense>
@@ -31,16 +30,12 @@ class ElasticWall {
   // `body` sampled at the nodes of wall.field, in their order.
   ElasticWall(fem::ReducedBody body, const dem::Wall& wall, const ExchangeSettings& settings);
 
-  // From here on the wall answers as the full body does: `compliance` of the face at the letterbox
-  // (fem::ElasticBody::face_compliance), of which the modes are a part.
-  void follow_fully(Eigen::MatrixXd compliance);
-
   // To be called after every time step of length dt [s].
   void exchange(dem::Wall& wall, double dt);
 
   const fem::ReducedBody& body() const { return body_; }
   const Eigen::VectorXd& amplitude() const { return amplitude_; }  // of the modes [m]
-  double largest_gain() const { return gain_.maxCoeff(); }         // of the softest mode [-]
+  double largest_gain() const { return gain_.maxCoeff(); }  // of the softest mode [-]
   int oscillators() const { return static_cast<int>(oscillators_.size()); }
 
  private:
@@ -55,9 +50,6 @@ class ElasticWall {
   Eigen::VectorXd amplitude_, velocity_;             // of all modes [m], [m/s]
   Eigen::VectorXd gathered_;                         // impulse since the last exchange [N s]
   Eigen::VectorXd static_velocity_;                  // of the nodes until the next exchange [m/s]
-  Eigen::MatrixXd rest_compliance_;                  // of what the modes leave out [m/N]
-  Eigen::VectorXd rest_;                             // its displacement [m]; empty: left out
-  double rest_share_ = 0;                            // relaxation of the rest [-]
   double bed_stiffness_;                             // bound [N/m]
   double span_ = 0;                                  // time since the last exchange [s]
   int waited_ = 0;                                   // steps since the last exchange

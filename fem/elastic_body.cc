@@ -188,23 +188,6 @@ FaceMotion ElasticBody::face_motion(const VectorXd& displacement) const {
   return {fit[1], fit[2], fit[0]};
 }
 
-MatrixXd ElasticBody::face_compliance(const Matrix3Xd& points) const {
-  const auto& face = implementation_->face;
-  const Eigen::SparseMatrix<double> weights = face.interpolation(points);
-  MatrixXd compliance(3 * points.cols(), 3 * points.cols());
-  for (Index p = 0; p < points.cols(); ++p) {
-    MatrixXd loads(unknowns(), 3);
-    for (Index direction = 0; direction < 3; ++direction)
-      loads.col(direction) = face.on_body(
-          Eigen::Vector3d::Unit(direction) * VectorXd(weights.col(p)).transpose(), unknowns());
-    const MatrixXd answer = solve(loads);
-    for (Index direction = 0; direction < 3; ++direction)
-      compliance.col(3 * p + direction) =
-          (face.of_body(answer.col(direction)) * weights).reshaped();
-  }
-  return compliance;
-}
-
 ReducedBody ElasticBody::reduce(int modes, const Matrix3Xd& points) const {
   return implementation_->reduce({modes, 0}, points);
 }

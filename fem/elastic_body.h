@@ -80,10 +80,6 @@ class ElasticBody {
   // Of a head's loaded face; a mould's, being no disc, has none.
   FaceMotion face_motion(const Eigen::VectorXd& displacement) const;
 
-  // Displacements (x, y, z of point 0, of point 1, ...) of the loaded face at points (3, n) under
-  // unit forces there, symmetric [m/N].
-  Eigen::MatrixXd face_compliance(const Eigen::Matrix3Xd& points) const;
-
   // The most compliant `modes` shapes of the loaded face (see reduced_body.h), sampled at `points`.
   // A number that parts a pair (cos, sin) keeps the one of them that moves the face's point on +x.
   ReducedBody reduce(int modes, const Eigen::Matrix3Xd& points) const;
