@@ -227,9 +227,10 @@ void remove(Document& document, const std::string& key, const Place& place) {
     return item.first == key || item.first.starts_with(key + ".") ||
            item.first.starts_with(key + "[");
   };
+  const bool was_repeated = document.repetitions(key) > 0;
   std::erase_if(document.values, at_or_below);
   std::erase_if(document.sections, at_or_below);
-  document.removed[key] = place;
+  if (!was_repeated) document.removed[key] = place;
 }
 
 // The value alone as a table {value = ...}; as a string where it is not TOML.

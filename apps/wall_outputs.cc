@@ -12,10 +12,6 @@ namespace {
 
 constexpr std::array<const char*, WallOutputs::parts> names = {"floor", "mould", "head"};
 
-double outer_radius(const GyratoryScene& scene, const Machine& machine) {
-  return machine.mould_radius + (scene.mould.elastic ? scene.mould.elastic->wall_thickness : 0);
-}
-
 Eigen::Map<const Eigen::VectorXd> letters(const dem::SurfaceField& field) {
   return {&field.impulse.front().x, 3 * static_cast<Eigen::Index>(field.size())};
 }
@@ -93,10 +89,10 @@ void WallOutputs::begin(std::vector<dem::Wall>& walls,
     rigid_letterbox_ = true;
   }
   if (steel_mould) {
-    const double thickness = steel_mould->body().nodes().topRows(2).colwise().norm().maxCoeff();
+    const double outside = steel_mould->body().nodes().topRows(2).colwise().norm().maxCoeff();
     for (const GaugeScene& gauge : gauges_)
       influence_.push_back(
-          gauge_influence(steel_mould->body(), *ring.field, gauge, thickness).reshaped());
+          gauge_influence(steel_mould->body(), *ring.field, gauge, outside).reshaped());
   }
   if (maps_ || !influence_.empty())
     row_impulse_ = gyration_impulse_ =
