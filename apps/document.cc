@@ -11,11 +11,13 @@ namespace {
 
 void remove(Document& document, const std::string& key, const Place& place) {
   const auto at_or_below = [&](const auto& item) {
-    return item.first == key || item.first.starts_with(key + ".");
+    return item.first == key || item.first.starts_with(key + ".") ||
+           item.first.starts_with(key + "[");
   };
+  const bool was_repeated = document.repetitions(key) > 0;
   std::erase_if(document.values, at_or_below);
   std::erase_if(document.sections, at_or_below);
-  document.removed[key] = place;
+  if (!was_repeated) document.removed[key] = place;
 }
 
 void apply_option(Document& document, const std::string& option, Mistakes& mistakes) {
@@ -93,31 +95,40 @@ std::string Document::path_from(const std::string& key, const std::string& relat
   const std::string& source = place(key).source;
   const std::filesystem::path file = source.starts_with("--set") ? path : source;
   return (file.parent_path() / relative).lexically_normal().string();
-}
-
-const Value* Document::find(const std::string& key) const {
-  const auto found = values.find(key);
-  return found == values.end() ? nullptr : &found->second;
-}
-
-Place Document::place(const std::string& key) const {
-  for (std::string name = key;;) {
-    if (const Value* value = find(name)) return value->place;
-    if (const auto section = sections.find(name); section != sections.end()) return section->second;
-    const auto dot = name.rfind('.');
-    if (dot == std::string::npos) return {path, 1, 1};
-    name.resize(dot);
+  std::string repeated(const std::string& section, std::size_t number) {
+    return section + '[' + std::to_string(number) + ']';
   }
-}
 
-Document read_document(const std::string& path, const std::vector<std::string>& overrides,
-                       Mistakes& mistakes) {
-  const std::optional<std::string> text = read_text(path);
-  if (!text)
-    throw InputError({path + ": expected a scene file, found none to read; check the path"});
-  Document document = read_file(path, *text, mistakes, {});
-  for (const std::string& option : overrides) apply_option(document, option, mistakes);
-  return document;
-}
+  std::size_t Document::repetitions(const std::string& section) const {
+    std::size_t count = 0;
+    while (sections.contains(repeated(section, count))) ++count;
+    return count;
+  }
+
+  const Value* Document::find(const std::string& key) const {
+    const auto found = values.find(key);
+    return found == values.end() ? nullptr : &found->second;
+  }
+
+  Place Document::place(const std::string& key) const {
+    for (std::string name = key;;) {
+      if (const Value* value = find(name)) return value->place;
+      if (const auto section = sections.find(name); section != sections.end())
+        return section->second;
+      const auto dot = name.rfind('.');
+      if (dot == std::string::npos) return {path, 1, 1};
+      name.resize(dot);
+    }
+  }
+
+  Document read_document(const std::string& path, const std::vector<std::string>& overrides,
+                         Mistakes& mistakes) {
+    const std::optional<std::string> text = read_text(path);
+    if (!text)
+      throw InputError({path + ": expected a scene file, found none to read; check the path"});
+    Document document = read_file(path, *text, mistakes, {});
+    for (const std::string& option : overrides) apply_option(document, option, mistakes);
+    return document;
+  }
 
 }  // namespace apps

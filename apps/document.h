@@ -32,6 +32,9 @@ struct Value {
   Place place;          // where the value itself stands
 };
 
+// The name of the entry of [[section]] that stands at `number`, counted from 0: "section[0]".
+std::string repeated(const std::string& section, std::size_t number);
+
 struct Document {
   std::string path;
   std::string text;                       // as read
@@ -40,6 +43,7 @@ struct Document {
   std::map<std::string, Place> removed;   // keys and sections that --set took away with `none`
 
   const Value* find(const std::string& key) const;
+  std::size_t repetitions(const std::string& section) const;  // of [[section]]
   // Of a value, else of the nearest section above it, else the top of the file.
   Place place(const std::string& key) const;
   // The path in a value, which is meant from the folder of the file that it is written in.

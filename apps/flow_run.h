@@ -174,9 +174,10 @@ void FlowRun<Law>::mount_strip() {
 
 template <class Law>
 std::vector<Column> FlowRun<Law>::columns(const FlowTestScene& scene) {
-  std::vector<Column> all = {{"time", "s"},           {"displacement", "m"}, {"force", "N"}, {"pressure", "Pa"},
-          {"uplift", "m"},         {"fractured", "1"},    {"bonds", "1"}, {"coordination", "1"},
-          {"kinetic_energy", "J"}, {"time_step", "s"}};
+  std::vector<Column> all = {{"time", "s"},      {"displacement", "m"}, {"force", "N"},
+                             {"pressure", "Pa"}, {"uplift", "m"},       {"fractured", "1"},
+                             {"bonds", "1"},     {"coordination", "1"}, {"kinetic_energy", "J"},
+                             {"time_step", "s"}};
   if (scene.output.energy_ledger) add_energy_columns(all);
   return all;
 }
@@ -190,10 +191,16 @@ void FlowRun<Law>::record(Recorder& recorder) {
   lowest_uplift_ = std::min(lowest_uplift_, uplift_);
   const double coordination = 2.0 * static_cast<double>(bed_.pairs().touching(bed_.stones())) /
                               static_cast<double>(bed_.stones().size());
-  std::vector<double> row = {bed_.time() - started_at_, displacement(), force, pressure_, uplift_,
+  std::vector<double> row = {bed_.time() - started_at_,
+                             displacement(),
+                             force,
+                             pressure_,
+                             uplift_,
                              static_cast<double>(bed_.cracks().size()),
-                             static_cast<double>(bed_.pairs().held()), coordination,
-                             dem::kinetic_energy(bed_.stones()), bed_.time_step()};
+                             static_cast<double>(bed_.pairs().held()),
+                             coordination,
+                             dem::kinetic_energy(bed_.stones()),
+                             bed_.time_step()};
   if (ledger_) add_energies(row, ledger_->energies());
   recorder.append(row);
   means_ = {};

@@ -8,6 +8,7 @@ namespace {
 
 void add_steel(std::vector<Finding>& found, const std::string& name, const SteelPart& part) {
   found.push_back({name + "_unknowns", static_cast<std::int64_t>(part.body().unknowns())});
+  found.push_back({name + "_gain", part.coupled().gain().maxCoeff()});
   found.push_back({name + "_truncation_error", part.coupled().body().truncation_error});
 }
 
@@ -36,6 +37,8 @@ std::vector<Finding> gyratory_findings(const GyratoryScene& scene, const Mix& mi
       bed_findings(outcome.bed, mix, scene.numerics, scene.run.seed, outcome.wall_seconds);
   const std::vector<Finding> own = {{"gyrations", scene.gyration.count},
                                     {"settling_steps", outcome.settled_steps},
+                                    {"steel_setup_seconds", outcome.steel_setup_seconds},
+                                    {"coupling_share_of_step", outcome.coupling_share},
                                     {"air_voids_start", outcome.voids_at_start},
                                     {"air_voids_end", rows.last("air_voids")},
                                     {"settled_height_m", outcome.settled_height},

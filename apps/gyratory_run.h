@@ -13,6 +13,7 @@
 #include "apps/progress.h"
 #include "apps/session.h"
 #include "apps/steel.h"
+#include "apps/wall_outputs.h"
 
 namespace apps {
 
@@ -32,7 +33,7 @@ class GyratoryRun {
 
   void visit_state(Archive& item);  // see dem/state.h
 
-  static std::vector<Column> columns(const GyratoryScene& scene);
+  static std::vector<Column> columns(const GyratoryScene& scene);  // those of WallOutputs follow
 
  private:
   enum Part { floor, mould, head };  // the walls, in the order they are added
@@ -47,6 +48,8 @@ class GyratoryRun {
   Law wall_law(Part part, bool bonds) const;
   double air_voids(double plate_height) const;
   double gyration() const;  // gyrations done, negative during the ramp
+  double height_of_plate() const;
+  dem::Ram ram() const;
   void mount_head();
   void step();
   std::vector<double> row();
@@ -65,10 +68,14 @@ class GyratoryRun {
   Settling settling_;
   bool closed_ = false;
   double closed_at_ = 0;       // when the plate came down [s]
+  double plate_start_ = 0;     // middle of the plate then [m]
   double settled_height_ = 0;  // of the bed then, mean of its highest points [m]
   std::int64_t settled_steps_ = 0;
   Means means_;
-  double next_row_ = 0, next_picture_ = 0;      // [s]
+  double next_row_ = 0, next_picture_ = 0;  // [s]
+  WallOutputs wall_outputs_;
+  double setup_seconds_ = 0;                    // from the meshes to the reduced bodies
+  double exchanging_ = 0, stepping_ = 0;        // wall clock of sampled steps [s]
   std::vector<std::vector<double>> ramp_rows_;  // held until air_voids_decrease has its reference
   std::vector<std::vector<double>> rows_;       // of the last two gyrations, for the findings
   std::optional<double> voids_at_start_;        // when the gyrations begin [-]
@@ -82,7 +89,8 @@ GyratoryRun<Law>::GyratoryRun(const GyratoryScene& scene, const Mix& mix, const 
       book_(book),
       machine_(machine),
       bed_(make_bed<Law>(scene.stones, mix, book, scene.fill, scene.numerics, scene.run.seed,
-                         dem::RoundMould{machine.mould_radius})) {
+                         dem::RoundMould{machine.mould_radius})),
+      wall_outputs_(scene, machine) {
   dem::Wall base, ring;
   base.name = "floor";
   base.surface = dem::Plane{};
@@ -99,8 +107,10 @@ void GyratoryRun<Law>::visit_state(Archive& item) {
   item("settling", settling_);
   item("closed", closed_);
   item("closed_at", closed_at_);
+  item("plate_start", plate_start_);
   if (closed_ && item.restores()) mount_head();
   bed_.visit_state(item);
+  if (closed_) wall_outputs_.visit_state(item, "outputs.");
   if (ledger_) ledger_->visit_state(item, "ledger.");
   item("settling_residual", settling_residual_);
   if (elastic_head_) elastic_head_->visit_state(item, "head.modes.");
@@ -150,12 +160,40 @@ void GyratoryRun<Law>::close() {
   settled_height_ = dem::mean_of_highest(bed_.stones(), highest_points);
   next_row_ = closed_at_ + scene_.output.history_interval;
   next_picture_ = closed_at_ + scene_.output.picture_interval;
+  plate_start_ = height_of_plate();
   mount_head();
 }
 
-// Puts the inclined head on the highest stone and lets shells bond from now on.
+// At which the inclined plate touches the highest stone.
+template <class Law>
+double GyratoryRun<Law>::height_of_plate() const {
+  dem::Frame frame;
+  orient(ram(), frame, closed_at_);
+  const dem::ParticleStore& stones = bed_.stones();
+  double height = 0;
+  for (std::size_t k = 0; k < stones.size(); ++k)
+    height =
+        std::max(height, (dot(stones.position[k], frame.ez) + stones.outer_radius(k)) / frame.ez.z);
+  return height;
+}
+
+template <class Law>
+dem::Ram GyratoryRun<Law>::ram() const {
+  const GyrationScene& gyration = scene_.gyration;
+  return {head_mass_ * scene_.numerics.head_mass_scale,
+          head_mass_ * 9.81,
+          gyration.pressure * machine_.section,
+          closed_at_,
+          gyration.ramp,
+          gyration.angle,
+          gyration.speed,
+          gyration.spin};
+}
+
+// Puts the inclined head on the bed and lets shells bond from now on.
 template <class Law>
 void GyratoryRun<Law>::mount_head() {
+  const double began = wall_clock();
   dem::Wall plate;
   plate.name = "head";
   plate.surface = dem::Disc{machine_.plate_radius};
@@ -165,26 +203,14 @@ void GyratoryRun<Law>::mount_head() {
   } else {
     head_mass_ = rigid_head_mass(scene_.head, machine_);
   }
-  const GyrationScene& gyration = scene_.gyration;
-  const dem::Ram ram = {head_mass_ * scene_.numerics.head_mass_scale,
-                        head_mass_ * 9.81,
-                        gyration.pressure * machine_.section,
-                        closed_at_,
-                        gyration.ramp,
-                        gyration.angle,
-                        gyration.speed,
-                        gyration.spin};
-  orient(ram, plate.frame, closed_at_);
-  const dem::ParticleStore& stones = bed_.stones();
-  double height = 0;
-  for (std::size_t k = 0; k < stones.size(); ++k)
-    height = std::max(height, (dot(stones.position[k], plate.frame.ez) + stones.outer_radius(k)) /
-                                  plate.frame.ez.z);
-  plate.frame.origin = {0, 0, height};
-  plate.motion = ram;
+  plate.motion = ram();
+  orient(ram(), plate.frame, closed_at_);
+  plate.frame.origin = {0, 0, plate_start_};
   bed_.add_wall(plate, wall_law(head, true));
   if (scene_.mould.elastic)
     elastic_mould_.emplace(*scene_.mould.elastic, machine_, scene_.numerics, bed_.walls()[mould]);
+  setup_seconds_ = wall_clock() - began;
+  wall_outputs_.begin(bed_.walls(), elastic_mould_);
   bed_.set_laws(book_.law<Law>({std::nullopt, scene_.stones.friction}, true),
                 {wall_law(floor, true), wall_law(mould, true), wall_law(head, true)});
 }
@@ -201,13 +227,24 @@ double GyratoryRun<Law>::air_voids(double plate_height) const {
 
 template <class Law>
 void GyratoryRun<Law>::step() {
+  constexpr std::int64_t sampling = 64;  // steps between those that are timed
+  const bool timed = bed_.steps() % sampling == 0;
+  const double began = timed ? wall_clock() : 0;
   bed_.step();
   if (ledger_) ledger_->look(bed_);
   const double dt = bed_.time_step();
   dem::Wall& plate = bed_.walls()[head];
   dem::Wall& ring = bed_.walls()[mould];
+  wall_outputs_.look(bed_.walls(), dt, plate.frame.origin.z, [this](int part) {
+    return bed_.wall_contacts(part).bending_power(bed_.walls()[part]);
+  });
+  const double stepped = timed ? wall_clock() : 0;
   if (elastic_head_) elastic_head_->exchange(plate, dt);
   if (elastic_mould_) elastic_mould_->exchange(ring, dt);
+  if (timed) {
+    stepping_ += stepped - began;
+    exchanging_ += wall_clock() - stepped;
+  }
   means_.span += dt;
   means_.force += plate.force * dt;
   means_.moment += plate.moment * dt;
@@ -218,23 +255,23 @@ void GyratoryRun<Law>::step() {
 template <class Law>
 std::vector<Column> GyratoryRun<Law>::columns(const GyratoryScene& scene) {
   std::vector<Column> all = {{"time", "s"},
-          {"gyration", "1"},
-          {"height", "m"},
-          {"air_voids", "1"},
-          {"ram_pressure", "Pa"},
-          {"head_force", "N"},
-          {"head_lateral_x", "N"},
-          {"head_lateral_y", "N"},
-          {"head_moment_x", "N m"},
-          {"head_moment_y", "N m"},
-          {"commanded_angle", "deg"},
-          {"internal_angle", "deg"},
-          {"fractured", "1"},
-          {"bonds", "1"},
-          {"coordination", "1"},
-          {"kinetic_energy", "J"},
-          {"mould_force", "N"},
-          {"time_step", "s"}};
+                             {"gyration", "1"},
+                             {"height", "m"},
+                             {"air_voids", "1"},
+                             {"ram_pressure", "Pa"},
+                             {"head_force", "N"},
+                             {"head_lateral_x", "N"},
+                             {"head_lateral_y", "N"},
+                             {"head_moment_x", "N m"},
+                             {"head_moment_y", "N m"},
+                             {"commanded_angle", "deg"},
+                             {"internal_angle", "deg"},
+                             {"fractured", "1"},
+                             {"bonds", "1"},
+                             {"coordination", "1"},
+                             {"kinetic_energy", "J"},
+                             {"mould_force", "N"},
+                             {"time_step", "s"}};
   if (scene.output.energy_ledger) add_energy_columns(all);
   all.push_back({"air_voids_decrease", "1"});
   return all;
@@ -247,24 +284,24 @@ std::vector<double> GyratoryRun<Law>::row() {
   const dem::PlateFace face = dem::plate_face(bed_.walls()[head]);
   const double span = means_.span;
   std::vector<double> values = {bed_.time() - closed_at_,
-                                      std::max(0.0, gyration()),
-                                      face.mean_height,
-                                      air_voids(face.mean_height),
-                                      means_.ram_force / span / machine_.section,
-                                      means_.force.z / span,
-                                      means_.force.x / span,
-                                      means_.force.y / span,
-                                      means_.moment.x / span,
-                                      means_.moment.y / span,
-                                      scene_.gyration.angle * degree,
-                                      face.angle * degree,
-                                      static_cast<double>(bed_.cracks().size()),
-                                      static_cast<double>(bed_.pairs().held()),
-                                      2.0 * static_cast<double>(bed_.pairs().touching(bed_.stones())) /
-                                          static_cast<double>(bed_.stones().size()),
-                                      dem::kinetic_energy(bed_.stones()),
-                                      means_.mould_push / span,
-                                      bed_.time_step()};
+                                std::max(0.0, gyration()),
+                                face.mean_height,
+                                air_voids(face.mean_height),
+                                means_.ram_force / span / machine_.section,
+                                means_.force.z / span,
+                                means_.force.x / span,
+                                means_.force.y / span,
+                                means_.moment.x / span,
+                                means_.moment.y / span,
+                                scene_.gyration.angle * degree,
+                                face.angle * degree,
+                                static_cast<double>(bed_.cracks().size()),
+                                static_cast<double>(bed_.pairs().held()),
+                                2.0 * static_cast<double>(bed_.pairs().touching(bed_.stones())) /
+                                    static_cast<double>(bed_.stones().size()),
+                                dem::kinetic_energy(bed_.stones()),
+                                means_.mould_push / span,
+                                bed_.time_step()};
   if (ledger_) add_energies(values, ledger_->energies());
   means_ = {};
   return values;
@@ -274,8 +311,10 @@ template <class Law>
 void GyratoryRun<Law>::record(Recorder& recorder) {
   std::vector<double> values = row();
   const double voids = values[3];
+  std::ranges::copy(wall_outputs_.row(), std::back_inserter(values));
+  wall_outputs_.turn(gyration(), bed_.walls()[mould], elastic_mould_, recorder);
   const auto put = [&](std::vector<double> r) {
-    r.push_back(*voids_at_start_ - r[3]);
+    r.insert(r.begin() + columns(scene_).size() - 1, *voids_at_start_ - r[3]);
     recorder.append(r);
   };
   if (gyration() < 0) {
@@ -332,9 +371,17 @@ void GyratoryRun<Law>::draw(GyratoryPictures& pictures) {
 
 template <class Law>
 std::vector<Finding> GyratoryRun<Law>::findings(double wall_seconds) const {
-  const GyratoryOutcome outcome = {report_on(bed_), wall_seconds,   settled_steps_,
-                                   settled_height_, head_mass_,     voids_at_start_.value(),
-                                   elastic_head_,   elastic_mould_, {columns(scene_), rows_}};
+  const GyratoryOutcome outcome = {report_on(bed_),
+                                   wall_seconds,
+                                   setup_seconds_,
+                                   stepping_ > 0 ? exchanging_ / stepping_ : 0,
+                                   settled_steps_,
+                                   settled_height_,
+                                   head_mass_,
+                                   voids_at_start_.value(),
+                                   elastic_head_,
+                                   elastic_mould_,
+                                   {columns(scene_), rows_}};
   std::vector<Finding> found = gyratory_findings(scene_, mix_, machine_, outcome);
   if (ledger_) {
     found.push_back({"settling_energy_residual_share", settling_residual_});

@@ -91,8 +91,8 @@ def draw(axes, run, x, curves, title, quantity):
     axes.set_xlabel(run.label(x[1], x[0]))
     axes.set_ylabel(run.label(quantity, curves[0][0]))
     if len(curves) > 1:
-        axes.margins(y=0.25)  # room for the legend
-        axes.legend(loc="upper right")
+        axes.margins(y=0.3)  # room for the legend
+        axes.legend(loc="upper center", ncols=2)
 
 
 def draw_fractured(axes, run, x):
@@ -148,8 +148,8 @@ def draw_gyratory(figure, run):
     draw(axes[0, 1], gyrating, gyration, [("air_voids_decrease", None, BLUE)],
          "Decrease of air voids", "decrease")
     draw_pressure(axes[1, 0], run, time)
-    draw(axes[1, 1], run, time, [("commanded_angle", "commanded at the ram root", BLUE),
-                                 ("internal_angle", "internal, felt by the mix", RED)],
+    draw(axes[1, 1], gyrating, gyration, [("commanded_angle", "commanded", BLUE),
+                                          ("internal_angle", "internal", RED)],
          "Angle", "angle")
     draw_fractured(axes[2, 0], gyrating, gyration)
     draw(axes[2, 1], gyrating, gyration, [("coordination", None, BLUE)], "Coordination",

@@ -15,12 +15,19 @@ SceneSource source_of(const Document& document, const std::vector<std::string>& 
   return source;
 }
 
+// Makes room for what a scene may name more than once.
+void make_room(GyratoryScene& scene, const Document& document) {
+  scene.gauges.resize(document.repetitions("output.gauge"));
+}
+void make_room(FlowTestScene&, const Document&) {}
+
 template <class Scene>
 Scene read_scene(const std::string& path, const std::vector<std::string>& overrides) {
   const UnitSystem units;
   Mistakes mistakes;
   const Document document = read_document(path, overrides, mistakes);
   Scene scene;
+  make_room(scene, document);
   read_sections(describe(scene), document, units, mistakes);
   check(scene, document, mistakes);
   if (mistakes.any()) throw InputError(mistakes.lines());

@@ -68,7 +68,7 @@ struct ElasticMouldScene {
   double young = 210e9;            // [Pa]
   double poisson = 0.3;            // [-]
   double density = 7850;           // [kg/m3]
-  int modes = 20;
+  double modes = 60;               // below 1: the largest share of compliance to leave out
 };
 
 struct MouldScene {
@@ -85,7 +85,7 @@ struct ElasticHeadScene {
   double young = 210e9;            // [Pa]
   double poisson = 0.3;            // [-]
   double density = 7850;           // [kg/m3]
-  int modes = 20;
+  double modes = 20;               // below 1: the largest share of compliance to leave out
 };
 
 struct HeadScene {
@@ -128,6 +128,13 @@ struct OutputScene {
   double checkpoint_interval = 600;  // of wall time [s]
 };
 
+// A virtual strain gauge, glued to the outside of an elastic mould along its circumference.
+struct GaugeScene {
+  double angle = 0;       // from the x axis [rad]
+  double height = 0;      // above the mould's base [m]
+  double length = 10e-3;  // along the circumference [m]
+};
+
 struct GyratoryScene {
   SceneSource source;
   RunScene run;
@@ -139,6 +146,8 @@ struct GyratoryScene {
   GyrationScene gyration;
   NumericsScene numerics;
   OutputScene output;
+  std::vector<GaugeScene> gauges;  // [[output.gauge]]
+  bool maps = false;               // of the traction on the mould, averaged over each gyration
 
   std::string where(const std::string& key) const { return source.where(key); }
 };

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "apps/binder_table.h"
+#include "apps/sections.h"
 #include "apps/sieve_table.h"
 
 namespace apps {
@@ -56,10 +57,12 @@ class CrossCheck {
       mistakes_.add(place("mould"), "mould.diameter or mould.aspect_ratio", "neither",
                     "add diameter = \"150 mm\", or aspect_ratio = 1 to scale it to the stones");
     if (mould.diameter) larger_than_stones("mould.diameter", *mould.diameter, stones);
+    if (mould.elastic) whole_above_one("mould.elastic.modes", mould.elastic->modes);
   }
 
   void check(const HeadScene& head, const MouldScene& mould) const {
     if (!head.elastic) return;
+    whole_above_one("head.elastic.modes", head.elastic->modes);
     if (given("head.mass"))
       mistakes_.add(document_.find("head.mass")->key, "either head.mass or [head.elastic]", "both",
                     "remove the mass: an elastic head has that of its steel");
@@ -67,6 +70,17 @@ class CrossCheck {
         head.elastic->shaft_diameter >= *mould.diameter)
       refuse("head.elastic.shaft_diameter", "a shaft thinner than the mould",
              "make it less than mould.diameter");
+  }
+
+  void check(const GaugeScene& gauge, const std::string& section, const MouldScene& mould) const {
+    if (!mould.elastic) {
+      mistakes_.add(place(section), "[mould.elastic], which a gauge is glued to", "a rigid mould",
+                    "add that section, or remove the gauge");
+      return;
+    }
+    if (sound(section + ".height") && sound("mould.elastic.height") &&
+        gauge.height >= mould.elastic->height)
+      refuse(section + ".height", "a height below that of the mould", "lower it");
   }
 
   void check(const FlowScene& flow, const StonesScene& stones) const {
@@ -97,6 +111,11 @@ class CrossCheck {
     const Value* value = document_.find(key);
     mistakes_.add(place(key), "for " + key + ' ' + expected, value ? value->written : "its default",
                   advice);
+  }
+
+  void whole_above_one(const std::string& key, double modes) const {
+    if (sound(key) && modes >= 1 && modes != std::floor(modes))
+      refuse(key, "a whole number, or a share below 1", "write 20 or \"1e-3\"");
   }
 
   void exclude(const std::string& first, const std::string& second) const {
@@ -135,6 +154,8 @@ void check(GyratoryScene& scene, const Document& document, Mistakes& mistakes) {
   if (scene.binder) cross.check(*scene.binder);
   cross.check(scene.mould, scene.stones);
   cross.check(scene.head, scene.mould);
+  for (std::size_t i = 0; i < scene.gauges.size(); ++i)
+    cross.check(scene.gauges[i], gauge_section(i), scene.mould);
 }
 
 void check(FlowTestScene& scene, const Document& document, Mistakes& mistakes) {

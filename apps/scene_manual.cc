@@ -34,18 +34,33 @@ std::string explanation(const Parameter& parameter) {
   return text;
 }
 
+std::string explained(const Section& section, const std::string& header, const UnitSystem& units) {
+  std::string text = comment(section.meaning) + header + '\n';
+  for (const Parameter& parameter : section.parameters) {
+    text += comment(explanation(parameter));
+    if (parameter.presence.need == Need::optional) text += "# ";
+    text += parameter.name + " = " + default_or_example(parameter, units) + '\n';
+  }
+  return text;
+}
+
+// A section that a scene may name any number of times, as a comment: none is the default.
+std::string repeatable(const Section& section, const std::string& name, const UnitSystem& units) {
+  std::string text = comment(explained(section, "[[" + name + "]]", units));
+  text.resize(text.size() - 3);  // the comment sign after the last line
+  return '\n' + text;
+}
+
 template <class Scene>
 std::string manual() {
   const UnitSystem units;
   Scene scene;
   std::string text;
-  for (const Section& section : describe(scene)) {
-    text += (text.empty() ? "" : "\n") + comment(section.meaning) + '[' + section.name + "]\n";
-    for (const Parameter& parameter : section.parameters) {
-      text += comment(explanation(parameter));
-      if (parameter.presence.need == Need::optional) text += "# ";
-      text += parameter.name + " = " + default_or_example(parameter, units) + '\n';
-    }
+  for (const Section& section : describe(scene))
+    text += (text.empty() ? "" : "\n") + explained(section, '[' + section.name + ']', units);
+  if constexpr (std::is_same_v<Scene, GyratoryScene>) {
+    GaugeScene gauge;
+    text += repeatable(describe(gauge, 0), "output.gauge", units);
   }
   return text;
 }
@@ -130,6 +145,19 @@ Json& object_of(const std::string& section, Json& root) {
   return *object;
 }
 
+// Adds the parameters of a section to the object that describes it.
+void add_properties(const Section& section, const UnitSystem& units, Json& object) {
+  object["description"] = section.meaning;
+  for (const Parameter& parameter : section.parameters) {
+    Json property = std::visit(SchemaOf{parameter, units}, parameter.value);
+    property["description"] = explanation(parameter);
+    if (parameter.presence.need == Need::has_default)
+      property["default"] = Json::parse(as_toml(parameter, units));
+    if (parameter.presence.need == Need::required) object["required"].push_back(parameter.name);
+    object["properties"][parameter.name] = property;
+  }
+}
+
 template <class Scene>
 std::string schema() {
   const UnitSystem units;
@@ -142,16 +170,13 @@ std::string schema() {
     const auto required = [](const Parameter& p) { return p.presence.need == Need::required; };
     if (!section.drop && std::ranges::any_of(section.parameters, required))
       root["required"].push_back(section.name);
-    Json& object = object_of(section.name, root);  // valid until root grows again
-    object["description"] = section.meaning;
-    for (const Parameter& parameter : section.parameters) {
-      Json property = std::visit(SchemaOf{parameter, units}, parameter.value);
-      property["description"] = explanation(parameter);
-      if (parameter.presence.need == Need::has_default)
-        property["default"] = Json::parse(as_toml(parameter, units));
-      if (required(parameter)) object["required"].push_back(parameter.name);
-      object["properties"][parameter.name] = property;
-    }
+    add_properties(section, units, object_of(section.name, root));
+  }
+  if constexpr (std::is_same_v<Scene, GyratoryScene>) {
+    GaugeScene gauge;
+    Json item = closed_object();
+    add_properties(describe(gauge, 0), units, item);
+    object_of("output", root)["properties"]["gauge"] = {{"type", "array"}, {"items", item}};
   }
   return root.dump(2) + '\n';
 }

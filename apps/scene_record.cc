@@ -30,6 +30,13 @@ struct BareValue {
   }
 };
 
+// "[section]"; an entry of a repeated section, "section[0]", begins with "[[section]]".
+std::string header(const std::string& name) {
+  const std::size_t number = name.find('[');
+  if (number == std::string::npos) return '[' + name + ']';
+  return "[[" + name.substr(0, number) + "]]";
+}
+
 template <class Scene>
 std::string complete(Scene scene) {
   scene.stones.gradation = stored_gradation_file;
@@ -39,7 +46,7 @@ std::string complete(Scene scene) {
   Scene described = scene;
   for (const Section& section : describe(described)) {
     if (section.drop && !given(section.name)) continue;
-    text += "\n[" + section.name + "]\n";
+    text += '\n' + header(section.name) + '\n';
     for (const Parameter& parameter : section.parameters) {
       if (parameter.presence.need == Need::has_default ||
           given(section.name + '.' + parameter.name))

@@ -3,7 +3,7 @@
 namespace apps {
 namespace {
 
-constexpr Unit second{"s", "s"}, minute{"min", "s"};
+constexpr Unit second{"s", "s"}, minute{"min", "s"}, degree{"deg", "rad"}, millimetre{"mm", "m"};
 constexpr const char* ours = "our choice";
 
 }  // namespace
@@ -33,6 +33,20 @@ Section describe(OutputScene& output) {
             "of wall time between checkpoints, from which --resume goes on", ours}}};
 }
 
+std::string gauge_section(std::size_t number) {
+  return repeated("output.gauge", number);
+}
+
+Section describe(GaugeScene& gauge, std::size_t number) {
+  return {gauge_section(number),
+          "A strain gauge on the outside of an elastic mould: a column of the history.",
+          {{&gauge.angle, "angle", degree, between(-360, 360), "from the x axis", ours,
+            required("\"0 deg\"")},
+           {&gauge.height, "height", millimetre, positive, "above the base of the mould", ours,
+            required("\"50 mm\"")},
+           {&gauge.length, "length", millimetre, positive, "along the circumference", ours}}};
+}
+
 std::vector<Section> describe(GyratoryScene& scene) {
   Section numerics = describe(scene.numerics);
   numerics.parameters.push_back(
@@ -41,10 +55,18 @@ std::vector<Section> describe(GyratoryScene& scene) {
   numerics.parameters.push_back(
       {&scene.numerics.head_mass_scale, "head_mass_scale", pure, at_least(1),
        "inertia / true inertia of the head and of the modes of the steel", ours});
-  return {describe(scene.run),           describe(scene.stones), describe(scene.stones.fracture),
-          describe(scene.binder),        describe(scene.fill),   describe(scene.mould),
-          describe(scene.mould.elastic), describe(scene.head),   describe(scene.head.elastic),
-          describe(scene.gyration),      std::move(numerics),    describe(scene.output)};
+  Section output = describe(scene.output);
+  output.parameters.push_back(
+      {&scene.maps, "maps", pure, unbounded,
+       "true: the traction on the mould, unrolled and averaged over each gyration", ours});
+  std::vector<Section> sections = {
+      describe(scene.run),           describe(scene.stones), describe(scene.stones.fracture),
+      describe(scene.binder),        describe(scene.fill),   describe(scene.mould),
+      describe(scene.mould.elastic), describe(scene.head),   describe(scene.head.elastic),
+      describe(scene.gyration),      std::move(numerics),    std::move(output)};
+  for (std::size_t i = 0; i < scene.gauges.size(); ++i)
+    sections.push_back(describe(scene.gauges[i], i));
+  return sections;
 }
 
 std::vector<Section> describe(FlowTestScene& scene) {

@@ -34,6 +34,9 @@ Section describe(std::optional<BinderScene>& binder);
 Section describe(std::optional<ElasticMouldScene>& mould);
 Section describe(std::optional<ElasticHeadScene>& head);
 
+Section describe(GaugeScene& gauge, std::size_t number);  // counted from 0
+std::string gauge_section(std::size_t number);            // "output.gauge[0]"
+
 std::vector<Section> describe(GyratoryScene& scene);
 std::vector<Section> describe(FlowTestScene& scene);
 

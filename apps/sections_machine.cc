@@ -23,7 +23,10 @@ void add_steel(Section& section, ElasticScene& body) {
       {{&body.young, "young", gigapascal, positive, "Young's modulus", steel},
        {&body.poisson, "poisson", pure, poisson_range, "Poisson's ratio", steel},
        {&body.density, "density", density, positive, "of the steel", steel},
-       {&body.modes, "modes", pure, at_least(1), "surface modes of the reduced body", ours}});
+       {&body.modes, "modes", pure, positive,
+        "of the reduced body: how many, or, below 1, the share of the largest compliance that may "
+        "be left out, as in \"1e-3\"",
+        ours}});
 }
 
 }  // namespace

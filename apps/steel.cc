@@ -45,11 +45,14 @@ SteelPart::SteelPart(const ElasticMouldScene& scene, const Machine& machine,
   couple(scene.modes, numerics, wall);
 }
 
-void SteelPart::couple(int modes, const NumericsScene& numerics, dem::Wall& wall) {
+void SteelPart::couple(double modes, const NumericsScene& numerics, dem::Wall& wall) {
   coupling::ExchangeSettings settings;
   settings.interval = numerics.exchange_interval;
   settings.inertia_scale = numerics.head_mass_scale;
-  coupled_.emplace(body_.reduce(modes, coupling::letterbox_points(wall)), wall, settings);
+  const Eigen::Matrix3Xd points = coupling::letterbox_points(wall);
+  coupled_.emplace(
+      modes < 1 ? body_.reduce(modes, points) : body_.reduce(static_cast<int>(modes), points), wall,
+      settings);
 }
 
 SteelPart::Tilt SteelPart::tilt() const {

@@ -14,7 +14,7 @@ namespace apps {
 // One elastic body behind one wall of the run.
 class SteelPart {
  public:
-  // Gives `wall` its letterbox and reduces the body to the scene's number of modes.
+  // Gives `wall` its letterbox and reduces the body to the scene's modes.
   SteelPart(const ElasticHeadScene& scene, const Machine& machine, const NumericsScene& numerics,
             dem::Wall& wall);
   SteelPart(const ElasticMouldScene& scene, const Machine& machine, const NumericsScene& numerics,
@@ -43,7 +43,7 @@ class SteelPart {
   void draw(const std::string& vtu, const dem::Frame& frame) const;
 
  private:
-  void couple(int modes, const NumericsScene& numerics, dem::Wall& wall);
+  void couple(double modes, const NumericsScene& numerics, dem::Wall& wall);
 
   fem::ElasticBody body_;
   std::optional<coupling::ElasticWall> coupled_;

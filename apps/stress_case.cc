@@ -11,7 +11,7 @@ namespace apps {
 namespace {
 
 constexpr Unit millimetre{"mm", "m"}, kilopascal{"kPa", "Pa"}, gigapascal{"GPa", "Pa"};
-constexpr Unit newton{"N", "N"}, density_unit{"kg/m3", "kg/m3"};
+constexpr Unit newton{"N", "N"}, newton_metre{"N m", "N m"}, density_unit{"kg/m3", "kg/m3"};
 
 void add_steel(Section& section, fem::Steel& steel) {
   section.parameters.insert(
@@ -48,7 +48,7 @@ std::vector<Section> describe(StressCase& given) {
       std::move(head),
       {"load",
        "What the steel bears: the mould under pressure, band, ovalling or stones, the head under "
-       "plate_pressure, eccentric or point.",
+       "plate_pressure, eccentric, point or angle_check.",
        {{&given.load.kind,
          "kind",
          pure,
@@ -56,14 +56,16 @@ std::vector<Section> describe(StressCase& given) {
          "of the load",
          "",
          required("\"pressure\""),
-         {"pressure", "band", "ovalling", "plate_pressure", "eccentric", "point", "stones"}},
+         {"pressure", "band", "ovalling", "plate_pressure", "eccentric", "point", "angle_check",
+          "stones"}},
         {&given.load.pressure, "pressure", kilopascal, positive,
          "amplitude of an ovalling pressure, mean of an eccentric one", ""},
         {&given.load.length, "length", millimetre, positive, "of a band along the axis", ""},
         {&given.load.harmonic, "harmonic", pure, between(2, 6), "n of cos(n angle)", ""},
         {&given.load.eccentricity, "eccentricity", millimetre, positive,
          "of the resultant of a pressure that varies linearly over the plate", ""},
-        {&given.load.force, "force", newton, positive, "on a point, or on one stone", ""}}},
+        {&given.load.force, "force", newton, positive, "on a point, or on one stone", ""},
+        {&given.load.moment, "moment", newton_metre, positive, "of a couple on the head", ""}}},
       {"stones",
        "For kind = \"stones\": one stone pressed on the wall at mid-height, or a settled column.",
        {{&stones.count, "count", pure, at_least(1), "one, or as many as fill a column", ""},

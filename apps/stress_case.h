@@ -15,6 +15,7 @@ struct SteelLoad {
   int harmonic = 2;            // n of an ovalling pressure cos(n angle) [-]
   double eccentricity = 5e-3;  // of the resultant from the head's axis [m]
   double force = 1000;         // of a point load, or on one stone [N]
+  double moment = 233;         // of a couple on the head [N m]
 };
 
 // Stones that load the mould: one that is pressed on it, or a column that fills it.

@@ -1,6 +1,7 @@
 #include "apps/stress_theory.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -31,14 +32,50 @@ double shell_wave_number(const fem::Mould& mould) {
   return std::pow(3 * (1 - nu * nu), 0.25) / std::sqrt(middle * mould.wall_thickness);
 }
 
+namespace {
+
+// Growth of the inner face of a long cylinder under the pressure cos(wave number z) [m/Pa], by
+// Love's stress function sin(k z) (A I0 + B K0 + C k r I1 + D k r K1)(k r); Timoshenko & Goodier
+// (1970), article 133. The functions are scaled with their size at the faces.
+double growth_under_wave(const fem::Mould& mould, double wave_number) {
+  const double a = mould.inner_diameter / 2, b = a + mould.wall_thickness;
+  const double nu = mould.steel.poisson, shear = mould.steel.young / (2 * (1 + nu));
+  struct Rows {
+    Eigen::RowVector4d slope, radial, sheared;  // of the function; stresses / k^3
+  };
+  const auto at = [&](double r) {
+    const double x = wave_number * r;
+    const double small = std::exp(-wave_number * b), large = std::exp(wave_number * a);
+    const double i0 = small * std::cyl_bessel_i(0, x), i1 = small * std::cyl_bessel_i(1, x);
+    const double k0 = large * std::cyl_bessel_k(0, x), k1 = large * std::cyl_bessel_k(1, x);
+    const Eigen::RowVector4d slope(i1, -k1, x * i0, -x * k0);
+    const Eigen::RowVector4d bend(i0 - i1 / x, k0 + k1 / x, i0 + x * i1, -k0 + x * k1);
+    const Eigen::RowVector4d laplacian(0, 0, 2 * i0, -2 * k0), its_slope(0, 0, 2 * i1, 2 * k1);
+    return Rows{slope, nu * laplacian - bend, (1 - nu) * its_slope + slope};
+  };
+  const Rows inside = at(a), outside = at(b);
+  Eigen::Matrix4d conditions;
+  conditions << inside.radial, outside.radial, inside.sheared, outside.sheared;
+  const Eigen::Vector4d weights = conditions.fullPivLu().solve(Eigen::Vector4d(-1, 0, 0, 0));
+  return -inside.slope.dot(weights) / (2 * shear * wave_number);
+}
+
+}  // namespace
+
 double band_growth(const fem::Mould& mould, double length, double z) {
-  const double beta = shell_wave_number(mould);
-  const auto from_edge =
-      [&](double x) {  // growth at the depth x inside the edge of a half-infinite band
-        const double decayed = 0.5 * std::exp(-beta * std::abs(x)) * std::cos(beta * x);
-        return x >= 0 ? 1 - decayed : decayed;
-      };
-  return from_edge(length / 2 - z) + from_edge(length / 2 + z) - 1;
+  const double a = mould.inner_diameter / 2, b = a + mould.wall_thickness;
+  // Shorter waves move a half-space: what they add falls off with the square of the wave number.
+  constexpr double wave_in_wall = 20, largest_argument = 600;
+  const double shortest = std::min(wave_in_wall / mould.wall_thickness, largest_argument / b);
+  constexpr int samples = 4000;  // of the integral; a quarter of them changes 1e-8
+  const double step = shortest / samples;
+  double growth = 0;
+  for (int i = 0; i < samples; ++i) {
+    const double k = (i + 0.5) * step;
+    growth += step * 2 / pi * std::sin(k * length / 2) / k * std::cos(k * z) *
+              growth_under_wave(mould, k);
+  }
+  return growth;
 }
 
 double michell_amplitude(const fem::Mould& mould, int n, double pressure) {
@@ -100,6 +137,15 @@ double rim_deflection(const fem::Head& head, double pressure) {
   const double by_shear =
       pressure / (2 * (5.0 / 6) * shear * t) * (a * a * std::log(a / b) - (a * a - b * b) / 2);
   return by_bending + by_shear;
+}
+
+double boussinesq_deflection(const fem::Steel& steel, double force, double distance) {
+  return force * (1 - steel.poisson * steel.poisson) / (pi * steel.young * distance);
+}
+
+double boussinesq_sinking(const fem::Steel& steel, double force, double depth) {
+  const double nu = steel.poisson;
+  return force * (1 + nu) * (3 - 2 * nu) / (2 * pi * steel.young * depth);
 }
 
 }  // namespace apps

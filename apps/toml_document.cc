@@ -59,6 +59,12 @@ class Flattener {
       if (const toml::table* section = node.as_table()) {
         document_.sections[name] = place(section->source());
         flatten(*section, name + ".");
+      } else if (node.is_array_of_tables()) {
+        const toml::array& entries = *node.as_array();
+        for (std::size_t i = 0; i < entries.size(); ++i) {
+          document_.sections[repeated(name, i)] = place(entries[i].source());
+          flatten(*entries[i].as_table(), repeated(name, i) + '.');
+        }
       } else {
         document_.values[name] = value(node, place(key.source()));
       }

@@ -43,6 +43,9 @@ class WallContacts {
   void add_load(const ParticleStore& particles, std::size_t place,
                 std::vector<StoneLoad>& loads) const;
 
+  // Power of the stones on the bending of an elastic wall's face [W].
+  double bending_power(const Wall& wall) const;
+
   std::int64_t slots() const { return slots_; }
   const Touch& touch(std::int64_t slot) const { return touches_[slot]; }
 
@@ -225,6 +228,15 @@ void WallContacts<Law>::add_load(const ParticleStore& particles, std::size_t pla
   const double radius = particles.radius[place];
   loads.push_back(
       {arm * (1 / norm(arm)), touch.action.crush * radius * radius, touch.action.crush});
+}
+
+template <ContactLaw Law>
+double WallContacts<Law>::bending_power(const Wall& wall) const {
+  double power = 0;
+  for (std::int64_t s = 0; s < slots_; ++s)
+    power -= dot(wall.frame.to_frame(touches_[s].action.force),
+                 wall.field->velocity_at(touches_[s].stencil));
+  return power;
 }
 
 template <ContactLaw Law>

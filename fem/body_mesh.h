@@ -12,7 +12,12 @@
 
 namespace fem {
 
-enum BoundaryPart : dealii::types::boundary_id { free_part = 0, loaded_part = 1, support_part = 2 };
+enum BoundaryPart : dealii::types::boundary_id {
+  free_part,
+  loaded_part,
+  support_part,
+  back_part,  // the outside of a mould, where gauges are glued
+};
 
 // Throws std::invalid_argument where the lengths do not describe the body.
 void make_mesh(const Head& head, MeshSize size, dealii::Triangulation<3>& mesh);

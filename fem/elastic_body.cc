@@ -163,6 +163,18 @@ Matrix3Xd ElasticBody::face_displacement(const VectorXd& displacement,
   return implementation_->face.of_body(displacement) * implementation_->face.interpolation(points);
 }
 
+VectorXd ElasticBody::gauge(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
+  const auto& body = *implementation_;
+  if (body.elements.back.node.empty())
+    throw std::invalid_argument("gauge: only a mould has an outside to glue it to");
+  const LoadedFace back(body.elements.back);
+  Matrix3Xd places(3, 2);
+  places << a, b;
+  const Eigen::SparseMatrix<double> weights = back.interpolation(places);
+  const Eigen::Vector3d along = (b - a) / (b - a).squaredNorm();
+  return back.on_body(along * VectorXd(weights.col(1) - weights.col(0)).transpose(), unknowns());
+}
+
 FaceMotion ElasticBody::face_motion(const VectorXd& displacement) const {
   const auto& body = *implementation_;
   const Matrix3Xd& places = body.face.places();

@@ -19,6 +19,10 @@ namespace fem {
 struct MeshSize {
   int refinement = 0;  // each step halves the default elements: about 8 times the unknowns
   int degree = 2;      // polynomial degree of the displacement, 1 or 2 (1 locks in bending)
+  std::vector<double> levels = {};  // heights at which elements of a mould must end, where its load
+                                    // jumps [m]
+  double at_centre = 0;  // size of a head's elements about the centre of its face, where a force
+                         // stands on a point; 0: no smaller than elsewhere [m]
 };
 
 // A body as cells for pictures: 8-node hexahedra in VTK order over `points`.
@@ -70,6 +74,9 @@ class ElasticBody {
   // Displacement [m] at the places of the loaded face nearest to points (3, n) [m].
   Eigen::Matrix3Xd face_displacement(const Eigen::VectorXd& displacement,
                                      const Eigen::Matrix3Xd& points) const;
+  // Weights (unknowns) [1/m] with which displacements make the strain of a gauge that is glued to
+  // the outside of a mould between two places [m]: (u_b - u_a) . (b - a) / |b - a|^2.
+  Eigen::VectorXd gauge(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const;
   // Of a head's loaded face; a mould's, being no disc, has none.
   FaceMotion face_motion(const Eigen::VectorXd& displacement) const;
 

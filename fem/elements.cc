@@ -34,6 +34,11 @@ std::vector<int> face_points(int degree, unsigned face) {
   return points;
 }
 
+void append(Eigen::Matrix3Xd& columns, const Eigen::Matrix3Xd& more) {
+  columns.conservativeResize(3, columns.cols() + more.cols());
+  columns.rightCols(more.cols()) = more;
+}
+
 GaussPoints evaluate(const dealii::DoFHandler<3>& space, const dealii::Mapping<3>& mapping,
                      const std::vector<unsigned>& local, const dealii::Quadrature<3>& quadrature,
                      dealii::UpdateFlags gradients) {
@@ -63,8 +68,12 @@ GaussPoints evaluate(const dealii::DoFHandler<3>& space, const dealii::Mapping<3
   return gauss;
 }
 
-// `around`: Gauss points of the stiffness along the second local coordinate.
-Elements tabulate(const dealii::Triangulation<3>& mesh, int degree, int around) {
+// Gauss points: of the stiffness along the second local coordinate, of the stress along the first.
+struct Rule {
+  int around, across;
+};
+
+Elements tabulate(const dealii::Triangulation<3>& mesh, int degree, Rule rule) {
   const dealii::FE_Q<3> shape(degree);
   const dealii::FE_Q<3> geometry(geometry_degree);
   const dealii::MappingQ<3> mapping(geometry_degree);
@@ -76,8 +85,7 @@ Elements tabulate(const dealii::Triangulation<3>& mesh, int degree, int around) 
   Elements elements;
   elements.degree = degree;
   elements.nodes.resize(3, space.n_dofs());
-  elements.face.degree = degree;
-  std::vector<Eigen::Vector3d> face_geometry;
+  elements.face.degree = elements.back.degree = degree;
   std::vector<dealii::types::global_dof_index> dofs(shape.dofs_per_cell);
   for (const auto& cell : space.active_cell_iterators()) {
     cell->get_dof_indices(dofs);
@@ -90,18 +98,19 @@ Elements tabulate(const dealii::Triangulation<3>& mesh, int degree, int around) 
     for (const unsigned f : cell->face_indices()) {
       if (!cell->face(f)->at_boundary()) continue;
       const auto part = cell->face(f)->boundary_id();
-      auto& list = part == loaded_part ? elements.face.node : elements.support_nodes;
       if (part == free_part) continue;
+      FaceTable& table = part == back_part ? elements.back : elements.face;
+      auto& list = part == support_part ? elements.support_nodes : table.node;
       for (const int i : face_points(degree, f)) list.push_back(elements.node[first + i]);
       if (part == support_part) continue;
-      for (const int i : face_points(geometry_degree, f))
-        face_geometry.push_back(to_eigen(mapping.transform_unit_to_real_cell(
-            cell, geometry.get_unit_support_points()[geometry_local[i]])));
+      const auto points = face_points(geometry_degree, f);
+      Eigen::Matrix3Xd places(3, points.size());
+      for (std::size_t i = 0; i < points.size(); ++i)
+        places.col(static_cast<Eigen::Index>(i)) = to_eigen(mapping.transform_unit_to_real_cell(
+            cell, geometry.get_unit_support_points()[geometry_local[points[i]]]));
+      append(table.geometry, places);
     }
   }
-  elements.face.geometry.resize(3, static_cast<Eigen::Index>(face_geometry.size()));
-  for (std::size_t i = 0; i < face_geometry.size(); ++i)
-    elements.face.geometry.col(static_cast<Eigen::Index>(i)) = face_geometry[i];
 
   auto& support = elements.support_nodes;
   std::sort(support.begin(), support.end());
@@ -111,10 +120,12 @@ Elements tabulate(const dealii::Triangulation<3>& mesh, int degree, int around) 
   const auto at = [&](const dealii::Quadrature<3>& quadrature, dealii::UpdateFlags gradients) {
     return evaluate(space, mapping, local, quadrature, gradients);
   };
-  elements.elastic =
-      at(dealii::QAnisotropic<3>(full, dealii::QGauss<1>(around), full), dealii::update_gradients);
+  elements.elastic = at(dealii::QAnisotropic<3>(full, dealii::QGauss<1>(rule.around), full),
+                        dealii::update_gradients);
   elements.inertial = at(dealii::Quadrature<3>(full), dealii::update_default);
-  elements.superconvergent = at(dealii::Quadrature<3>(reduced), dealii::update_gradients);
+  elements.superconvergent =
+      at(dealii::QAnisotropic<3>(dealii::QGauss<1>(rule.across), reduced, reduced),
+         dealii::update_gradients);
   return elements;
 }
 
@@ -123,13 +134,13 @@ Elements tabulate(const dealii::Triangulation<3>& mesh, int degree, int around) 
 Elements make_elements(const Head& head, MeshSize size) {
   dealii::Triangulation<3> mesh;
   make_mesh(head, size, mesh);
-  return tabulate(mesh, size.degree, size.degree + 1);
+  return tabulate(mesh, size.degree, {.around = size.degree + 1, .across = size.degree});
 }
 
 Elements make_elements(const Mould& mould, MeshSize size) {
   dealii::Triangulation<3> mesh;
   make_mesh(mould, size, mesh);
-  return tabulate(mesh, size.degree, 2);
+  return tabulate(mesh, size.degree, {.around = 2, .across = size.degree + 1});
 }
 
 }  // namespace fem

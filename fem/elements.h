@@ -34,7 +34,7 @@ struct GaussPoints {
   }
 };
 
-// The loaded face as quadrilaterals.
+// A face of the body as quadrilaterals.
 struct FaceTable {
   int degree;
   std::vector<int> node;      // ((degree + 1)^2 per quadrilateral) body nodes
@@ -47,9 +47,11 @@ struct Elements {
   std::vector<int> node;           // ((degree + 1)^3 per element)
   GaussPoints elastic;             // integrate the stiffness
   GaussPoints inertial;            // integrate the mass: degree + 1 points a side, no gradients
-  GaussPoints superconvergent;     // where stresses are best: degree points a side
+  GaussPoints superconvergent;     // where stresses are best: degree points a side, but degree + 1
+                                   // across a mould's wall
   std::vector<int> support_nodes;  // ascending
-  FaceTable face;
+  FaceTable face;                  // loaded
+  FaceTable back;                  // of a mould, its outside
 
   int nodes_per_element() const { return (degree + 1) * (degree + 1) * (degree + 1); }
   int count() const { return static_cast<int>(node.size()) / nodes_per_element(); }

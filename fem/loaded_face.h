@@ -18,7 +18,7 @@ class LoadedFace {
   const std::vector<int>& nodes() const { return nodes_; }           // body nodes, ascending
   const Eigen::Matrix3Xd& places() const { return places_; }         // of these nodes [m]
   const Eigen::SparseMatrix<double>& mass() const { return mass_; }  // (face nodes)^2 [m2]
-  double area() const;  // [m2]
+  double area() const;                                               // [m2]
 
   // Nodal forces [N] of a traction(x) [Pa].
   Eigen::Matrix3Xd load(

@@ -7,26 +7,36 @@
 namespace fem {
 namespace {
 
-// Weights (Gauss points a side, nodes a side) of the polynomial through the Gauss points of [0, 1].
-Eigen::MatrixXd extrapolation(int degree) {
-  if (degree == 1) return Eigen::RowVector2d::Ones();
-  const double gauss =
-      std::sqrt(3.0);  // nodes at 0, 1/2, 1 lie at -sqrt(3), 0, sqrt(3) of the points
-  Eigen::MatrixXd weights(2, 3);
-  weights << (1 + gauss) / 2, 0.5, (1 - gauss) / 2,  //
-      (1 - gauss) / 2, 0.5, (1 + gauss) / 2;
+// Gauss points of [-1, 1].
+Eigen::VectorXd gauss_points(int count) {
+  if (count == 1) return Eigen::VectorXd::Zero(1);
+  if (count == 2) return Eigen::Vector2d(-1, 1) / std::sqrt(3.0);
+  return Eigen::Vector3d(-1, 0, 1) * std::sqrt(0.6);
+}
+
+// Weights (Gauss points, nodes a side) of the polynomial through the Gauss points, at the nodes.
+Eigen::MatrixXd extrapolation(int count, int degree) {
+  const Eigen::VectorXd gauss = gauss_points(count);
+  Eigen::MatrixXd weights = Eigen::MatrixXd::Ones(count, degree + 1);
+  for (int n = 0; n <= degree; ++n)
+    for (int p = 0; p < count; ++p)
+      for (int other = 0; other < count; ++other)
+        if (other != p)
+          weights(p, n) *= (2.0 * n / degree - 1 - gauss[other]) / (gauss[p] - gauss[other]);
   return weights;
 }
 
-// The same in three directions, first local coordinate fastest.
-Eigen::MatrixXd extrapolation_in_space(int degree) {
-  const Eigen::MatrixXd line = extrapolation(degree);
-  const auto points = line.rows(), nodes = line.cols();
-  Eigen::MatrixXd weights(points * points * points, nodes * nodes * nodes);
-  for (Eigen::Index p = 0; p < weights.rows(); ++p)
-    for (Eigen::Index n = 0; n < weights.cols(); ++n)
-      weights(p, n) = line(p % points, n % nodes) * line(p / points % points, n / nodes % nodes) *
-                      line(p / (points * points), n / (nodes * nodes));
+// The same in three directions, first local coordinate fastest; `across` Gauss points along the
+// first, `degree` along the others.
+Eigen::MatrixXd extrapolation_in_space(int across, int degree) {
+  const Eigen::MatrixXd first = extrapolation(across, degree);
+  const Eigen::MatrixXd other = extrapolation(degree, degree);
+  const int nodes = degree + 1;
+  Eigen::MatrixXd weights(across * degree * degree, nodes * nodes * nodes);
+  for (int p = 0; p < weights.rows(); ++p)
+    for (int n = 0; n < weights.cols(); ++n)
+      weights(p, n) = first(p % across, n % nodes) * other(p / across % degree, n / nodes % nodes) *
+                      other(p / (across * degree), n / (nodes * nodes));
   return weights;
 }
 
@@ -35,8 +45,9 @@ Eigen::MatrixXd extrapolation_in_space(int degree) {
 StressField recover_stress(const Elements& elements, const Steel& steel,
                            const Eigen::VectorXd& displacement) {
   const ElasticityMatrix elasticity = elasticity_matrix(steel);
-  const Eigen::MatrixXd to_nodes = extrapolation_in_space(elements.degree);
   const GaussPoints& gauss = elements.superconvergent;
+  const int degree = elements.degree, across = gauss.per_element / (degree * degree);
+  const Eigen::MatrixXd to_nodes = extrapolation_in_space(across, degree);
   const int nodes = elements.nodes_per_element();
 
   StressField sum = StressField::Zero(6, elements.nodes.cols());

@@ -67,7 +67,7 @@ TEST_P(LameCylinder, grows_and_is_stressed_as_lame_says) {
   EXPECT_NEAR(mean_hoop_stress(body, stress, a, mould.height), inside, 0.01 * inside);
   EXPECT_NEAR(mean_hoop_stress(body, stress, b, mould.height), outside, 0.01 * outside);
 }
-INSTANTIATE_TEST_SUITE_P(walls, LameCylinder, testing::Values(0.005, 0.0075, 0.0125, 0.03));
+INSTANTIATE_TEST_SUITE_P(walls, LameCylinder, testing::Values(0.0005, 0.005, 0.0075, 0.0125, 0.03, 0.075));
 
 // Radial displacement [m] of an annulus a < r < b at r = a under the traction p cos(n theta) on r =
 // a, in plane strain: Michell (1899), stress function (A r^n + B r^-n + C r^(n+2) + D r^(2-n))

@@ -18,7 +18,7 @@ BIN, SCENES = sys.argv[1], sys.argv[2]
 os.environ["OMP_WAIT_POLICY"] = "passive"  # tests run side by side: waiting threads must not spin
 
 SMALL = ["stones.count=150", "mould.diameter=36 mm", "gyration.ramp=0.5 s", "gyration.count=2"]
-STEEL = ["head.elastic.shaft_diameter=14 mm"]
+STEEL = ["head.elastic.shaft_diameter=14 mm", "mould.elastic.modes=20"]
 RIGID = ["head.elastic=none", "mould.elastic=none"]
 
 

@@ -121,7 +121,7 @@ TEST_F(Scene, loses_the_section_that_an_option_removes) {
   EXPECT_FALSE(scene.mould.elastic);
   EXPECT_FALSE(scene.binder);
   EXPECT_TRUE(scene.stones.fracture);
-  EXPECT_EQ(read(elastic, {"mould.elastic=none", "mould.elastic={}"}).mould.elastic->modes, 20);
+  EXPECT_EQ(read(elastic, {"mould.elastic=none", "mould.elastic={}"}).mould.elastic->modes, 60);
 }
 
 TEST_F(Scene, remembers_where_it_was_written) {
