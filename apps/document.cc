@@ -95,40 +95,41 @@ std::string Document::path_from(const std::string& key, const std::string& relat
   const std::string& source = place(key).source;
   const std::filesystem::path file = source.starts_with("--set") ? path : source;
   return (file.parent_path() / relative).lexically_normal().string();
-  std::string repeated(const std::string& section, std::size_t number) {
-    return section + '[' + std::to_string(number) + ']';
-  }
+}
 
-  std::size_t Document::repetitions(const std::string& section) const {
-    std::size_t count = 0;
-    while (sections.contains(repeated(section, count))) ++count;
-    return count;
-  }
+std::string repeated(const std::string& section, std::size_t number) {
+  return section + '[' + std::to_string(number) + ']';
+}
 
-  const Value* Document::find(const std::string& key) const {
-    const auto found = values.find(key);
-    return found == values.end() ? nullptr : &found->second;
-  }
+std::size_t Document::repetitions(const std::string& section) const {
+  std::size_t count = 0;
+  while (sections.contains(repeated(section, count))) ++count;
+  return count;
+}
 
-  Place Document::place(const std::string& key) const {
-    for (std::string name = key;;) {
-      if (const Value* value = find(name)) return value->place;
-      if (const auto section = sections.find(name); section != sections.end())
-        return section->second;
-      const auto dot = name.rfind('.');
-      if (dot == std::string::npos) return {path, 1, 1};
-      name.resize(dot);
-    }
-  }
+const Value* Document::find(const std::string& key) const {
+  const auto found = values.find(key);
+  return found == values.end() ? nullptr : &found->second;
+}
 
-  Document read_document(const std::string& path, const std::vector<std::string>& overrides,
-                         Mistakes& mistakes) {
-    const std::optional<std::string> text = read_text(path);
-    if (!text)
-      throw InputError({path + ": expected a scene file, found none to read; check the path"});
-    Document document = read_file(path, *text, mistakes, {});
-    for (const std::string& option : overrides) apply_option(document, option, mistakes);
-    return document;
+Place Document::place(const std::string& key) const {
+  for (std::string name = key;;) {
+    if (const Value* value = find(name)) return value->place;
+    if (const auto section = sections.find(name); section != sections.end()) return section->second;
+    const auto dot = name.rfind('.');
+    if (dot == std::string::npos) return {path, 1, 1};
+    name.resize(dot);
   }
+}
+
+Document read_document(const std::string& path, const std::vector<std::string>& overrides,
+                       Mistakes& mistakes) {
+  const std::optional<std::string> text = read_text(path);
+  if (!text)
+    throw InputError({path + ": expected a scene file, found none to read; check the path"});
+  Document document = read_file(path, *text, mistakes, {});
+  for (const std::string& option : overrides) apply_option(document, option, mistakes);
+  return document;
+}
 
 }  // namespace apps
