@@ -37,8 +37,6 @@ std::vector<Finding> gyratory_findings(const GyratoryScene& scene, const Mix& mi
       bed_findings(outcome.bed, mix, scene.numerics, scene.run.seed, outcome.wall_seconds);
   const std::vector<Finding> own = {{"gyrations", scene.gyration.count},
                                     {"settling_steps", outcome.settled_steps},
-                                    {"steel_setup_seconds", outcome.steel_setup_seconds},
-                                    {"coupling_share_of_step", outcome.coupling_share},
                                     {"air_voids_start", outcome.voids_at_start},
                                     {"air_voids_end", rows.last("air_voids")},
                                     {"settled_height_m", outcome.settled_height},
@@ -50,6 +48,10 @@ std::vector<Finding> gyratory_findings(const GyratoryScene& scene, const Mix& mi
                                     {"commanded_angle_deg", rows.mean("commanded_angle")},
                                     {"internal_angle_deg", rows.mean("internal_angle")}};
   found.insert(found.end(), own.begin(), own.end());
+  if (outcome.head || outcome.mould) {
+    found.push_back({"steel_setup_seconds", outcome.steel_setup_seconds});
+    found.push_back({"coupling_share_of_step", outcome.coupling_share});
+  }
   if (outcome.head) {
     const SteelPart::Tilt tilt = outcome.head->tilt();
     found.push_back({"head_tilt_per_moment_rad_per_Nm", tilt.per_moment});

@@ -30,7 +30,8 @@ FLOW = ["stones.count=130", "flow.length=50 mm", "flow.width=35 mm", "flow.heigh
         "flow.strip_length=15 mm", "flow.displacement=0.15 mm",
         "output.picture_interval=0.2 s"] + OFTEN
 # Of a summary, what tells of the clock and not of the run.
-CLOCK = ("wall_seconds", "particle_steps_per_second")
+CLOCK = ("wall_seconds", "particle_steps_per_second",
+         "steel_setup_seconds", "coupling_share_of_step")
 
 
 class Faults(unittest.TestCase):
