@@ -37,11 +37,9 @@ void compact(const apps::Options& options) {
   if (apps::is_finished(options)) return;
 
   apps::with_law(book, [&]<class Law>() {
-    std::vector<apps::Column> columns = apps::GyratoryRun<Law>::columns(scene);
-    std::ranges::copy(apps::WallOutputs::columns(scene), std::back_inserter(columns));
     apps::Session session(options, apps::stored_scene(scene, options),
                           apps::provenance("gyratory", options, scene.source.text, scene.run.seed),
-                          columns);
+                          apps::GyratoryRun<Law>::columns(scene));
     apps::GyratoryRun<Law> run(scene, mix, book, machine);
     apps::GyratoryPictures pictures(options.out);
     const apps::State state = [&](apps::Archive& item) {

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <numbers>
 #include <optional>
 
@@ -33,7 +35,7 @@ class GyratoryRun {
 
   void visit_state(Archive& item);  // see dem/state.h
 
-  static std::vector<Column> columns(const GyratoryScene& scene);  // those of WallOutputs follow
+  static std::vector<Column> columns(const GyratoryScene& scene);
 
  private:
   enum Part { floor, mould, head };  // the walls, in the order they are added
@@ -273,6 +275,7 @@ std::vector<Column> GyratoryRun<Law>::columns(const GyratoryScene& scene) {
                              {"mould_force", "N"},
                              {"time_step", "s"}};
   if (scene.output.energy_ledger) add_energy_columns(all);
+  std::ranges::copy(WallOutputs::columns(scene), std::back_inserter(all));
   all.push_back({"air_voids_decrease", "1"});
   return all;
 }
@@ -303,6 +306,7 @@ std::vector<double> GyratoryRun<Law>::row() {
                                 means_.mould_push / span,
                                 bed_.time_step()};
   if (ledger_) add_energies(values, ledger_->energies());
+  std::ranges::copy(wall_outputs_.row(), std::back_inserter(values));
   means_ = {};
   return values;
 }
@@ -311,10 +315,9 @@ template <class Law>
 void GyratoryRun<Law>::record(Recorder& recorder) {
   std::vector<double> values = row();
   const double voids = values[3];
-  std::ranges::copy(wall_outputs_.row(), std::back_inserter(values));
   wall_outputs_.turn(gyration(), bed_.walls()[mould], elastic_mould_, recorder);
   const auto put = [&](std::vector<double> r) {
-    r.insert(r.begin() + columns(scene_).size() - 1, *voids_at_start_ - r[3]);
+    r.push_back(*voids_at_start_ - r[3]);
     recorder.append(r);
   };
   if (gyration() < 0) {
