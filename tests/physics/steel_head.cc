@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "apps/stress_theory.h"
 #include "fem/elastic_body.h"
 
 namespace {
@@ -60,34 +61,6 @@ TEST(shaft, shortens_as_a_bar_under_a_central_load) {
   EXPECT_NEAR(body.face_motion(displacement).axial, shortening, 0.04 * shortening);
 }
 
-// Rim against shaft of an annular Kirchhoff plate clamped at r = b, rim free, pressure q, with the
-// deflection by shear: w = c1 + c2 ln r + c3 r^2 + c4 r^2 ln r + q r^4 / (64 D), Timoshenko &
-// Woinowsky-Krieger (1959), 17-18 and 20 (shear factor 5/6).
-double annular_plate_deflection(const fem::Head& head, double pressure) {
-  const double a = head.plate_diameter / 2, b = head.shaft_diameter / 2, t = head.plate_thickness;
-  const double nu = head.steel.poisson, shear = head.steel.young / (2 * (1 + nu));
-  const double bending = head.steel.young * t * t * t / (12 * (1 - nu * nu));
-  const double load = pressure / (64 * bending), c4 = -8 * load * a * a;  // no shear force at r = a
-  const auto particular = [&](double r) {
-    return c4 * r * r * std::log(r) + load * std::pow(r, 4);
-  };
-  const auto particular_slope = [&](double r) {
-    return c4 * (2 * r * std::log(r) + r) + 4 * load * std::pow(r, 3);
-  };
-  // w'' + nu w' / r of the particular part at the rim.
-  const double rim_moment =
-      c4 * (2 * std::log(a) + 3) + 12 * load * a * a + nu / a * particular_slope(a);
-  Eigen::Matrix2d conditions;  // on c2, c3: no moment at r = a, no slope at r = b
-  conditions << (nu - 1) / (a * a), 2 + 2 * nu, 1 / b, 2 * b;
-  const Eigen::Vector2d c =
-      conditions.fullPivLu().solve(Eigen::Vector2d(-rim_moment, -particular_slope(b)));
-  const double by_bending =
-      c[0] * std::log(a / b) + c[1] * (a * a - b * b) + particular(a) - particular(b);
-  const double by_shear =
-      pressure / (2 * (5.0 / 6) * shear * t) * (a * a * std::log(a / b) - (a * a - b * b) / 2);
-  return by_bending + by_shear;
-}
-
 // The hub on which the plate is clamped yields as well, by a slope that goes with M / (E t^2), so
 // by a share of the plate's own deflection that goes with t / (a - b): a quarter to a third at t =
 // 10 mm. Two thin plates tell this share, and what is left without it must be plate theory. 3 %:
@@ -105,7 +78,7 @@ TEST(plate, bends_as_an_annular_plate_once_the_hub_is_taken_away) {
         body.solve(body.face_load([&](const Vector3d&) { return Vector3d(0, 0, pressure); }));
     const double rim = body.face_displacement(displacement, Vector3d(0.07475, 0, 0))(2);
     const double hub = body.face_displacement(displacement, Vector3d(0.025, 0, 0))(2);
-    return (rim - hub) / annular_plate_deflection(head, pressure) - 1;
+    return (rim - hub) / apps::rim_deflection(head, pressure) - 1;
   };
   const double thinner = excess(0.003), thicker = excess(0.006);
   EXPECT_GT(thinner, 0);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "apps/stress_theory.h"
 #include "fem/elastic_body.h"
 
 namespace {
@@ -67,29 +68,8 @@ TEST_P(LameCylinder, grows_and_is_stressed_as_lame_says) {
   EXPECT_NEAR(mean_hoop_stress(body, stress, a, mould.height), inside, 0.01 * inside);
   EXPECT_NEAR(mean_hoop_stress(body, stress, b, mould.height), outside, 0.01 * outside);
 }
-INSTANTIATE_TEST_SUITE_P(walls, LameCylinder, testing::Values(0.0005, 0.005, 0.0075, 0.0125, 0.03, 0.075));
-
-// Radial displacement [m] of an annulus a < r < b at r = a under the traction p cos(n theta) on r =
-// a, in plane strain: Michell (1899), stress function (A r^n + B r^-n + C r^(n+2) + D r^(2-n))
-// cos(n theta), Timoshenko & Goodier (1970), 43; lengths in units of a.
-double michell_displacement(const fem::Mould& mould, int n, double traction) {
-  const double a = mould.inner_diameter / 2, outer = 1 + mould.wall_thickness / a;
-  const double nu = mould.steel.poisson, shear = mould.steel.young / (2 * (1 + nu));
-  const auto radial = [n](double r) {
-    return Eigen::RowVector4d(n * (1 - n) * std::pow(r, n - 2), -n * (1 + n) * std::pow(r, -n - 2),
-                              -(n - 2) * (n + 1) * std::pow(r, n),
-                              -(n + 2) * (n - 1) * std::pow(r, -n));
-  };
-  const auto tangential = [n](double r) {
-    return Eigen::RowVector4d(n * (n - 1) * std::pow(r, n - 2), -n * (n + 1) * std::pow(r, -n - 2),
-                              n * (n + 1) * std::pow(r, n), -n * (n - 1) * std::pow(r, -n));
-  };
-  Eigen::Matrix4d conditions;
-  conditions << radial(1), tangential(1), radial(outer), tangential(outer);
-  const Eigen::Vector4d weights = conditions.fullPivLu().solve(Eigen::Vector4d(-traction, 0, 0, 0));
-  const double kappa = 3 - 4 * nu;
-  return a / (2 * shear) * Eigen::RowVector4d(-n, n, kappa - 1 - n, kappa - 1 + n).dot(weights);
-}
+INSTANTIATE_TEST_SUITE_P(walls, LameCylinder,
+                         testing::Values(0.0005, 0.005, 0.0075, 0.0125, 0.03, 0.075));
 
 // cos(n theta) component of the radial displacement [m] at a height, by sums over the circle.
 double harmonic(const fem::ElasticBody& body, const Eigen::VectorXd& displacement,
@@ -118,7 +98,7 @@ TEST(ovalling, is_as_large_as_michell_says) {
         body.solve(body.face_load([&](const Vector3d& x) -> Vector3d {
           return amplitude * std::cos(n * std::atan2(x[1], x[0])) * outwards(x);
         }));
-    const double exact = michell_displacement(mould, n, amplitude);
+    const double exact = apps::michell_amplitude(mould, n, amplitude);
     EXPECT_NEAR(harmonic(body, displacement, mould, n, 0.5), exact, 0.01 * exact) << "n = " << n;
   }
 }
