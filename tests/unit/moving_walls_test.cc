@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <set>
+#include <string>
 #include <utility>
 
 #include "apps/laws.h"
@@ -113,6 +114,28 @@ TEST(moving_walls, a_resting_stone_presses_on_the_floor_with_its_weight) {
   const double weight = bed.stones().mass[0] * settings.gravity;
   EXPECT_NEAR(bed.walls()[0].force.z, -weight, 0.01 * weight);
   EXPECT_NEAR(bed.walls()[0].push, weight, 0.01 * weight);
+}
+
+TEST(moving_walls, a_stone_outside_the_mould_stops_the_run_by_name) {
+  // Closed form: a stone of radius 2 mm whose centre is 5 mm beyond the wall overlaps it by 7 mm.
+  dem::Settings settings;
+  settings.largest_step = 1e-6;
+  settings.skin = 0.1e-3;
+  dem::Simulation<Dry> bed(
+      dem::make_stones({{0, 0, 5e-3}, {15e-3, 0, 5e-3}}, {2e-3, 2e-3}, 2650, 0, 1), law(),
+      settings);
+  dem::Wall ring;
+  ring.name = "mould";
+  ring.surface = dem::CylinderInside{10e-3};
+  bed.add_wall(ring, law());
+  try {
+    bed.step();
+    FAIL() << "the run went on";
+  } catch (const dem::NumericalTrouble& trouble) {
+    EXPECT_EQ(trouble.stone, 1u);
+    EXPECT_NEAR(trouble.value, 7.0 / 2, 1e-12);
+    EXPECT_NE(std::string(trouble.what()).find("mould"), std::string::npos);
+  }
 }
 
 }  // namespace
