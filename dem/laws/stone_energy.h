@@ -39,8 +39,9 @@ double shear_energy(const Memory& memory) {
   return k > 0 ? dot(memory.shear, memory.shear) / (2 * k) : 0;
 }
 
-template <class Normal, class Whole>
-Lost shear_lost(const Mindlin<Normal>&, const Seen<Whole>& before, const Seen<Whole>& now) {
+template <class Normal>
+Lost shear_lost(const Mindlin<Normal>&, const Seen<Mindlin<Normal>>& before,
+                const Seen<Mindlin<Normal>>& now) {
   const double old_k = shear_stiffness(before.memory), k = shear_stiffness(now.memory);
   if (old_k <= 0 && k <= 0) return {};
   const Vec3d& sliding = now.contact.sliding;
@@ -68,27 +69,29 @@ Lost lost(const Mindlin<Normal>& law, const Seen<Mindlin<Normal>>& before,
   return sum;
 }
 
-// Stiffness of the contact / that of whole stones [-].
+// What the normal spring of a contact holds after `as` left it so [J].
 template <class Stone>
-double share_of(const Fracture<Stone>& law, const Contact<double>& contact) {
-  return 1 / (1 + law.stone_share * (contact.softness - 1));
+double spring_energy(const Fracture<Stone>& law, Contact<double> contact,
+                     const Seen<Fracture<Stone>>& as) {
+  contact.overlap -= as.memory.shortened;
+  return normal_energy(law.stone, contact) / law.weakness(as.contact);
 }
 
 template <class Stone>
 Stored stored(const Fracture<Stone>& law, const Seen<Fracture<Stone>>& seen) {
-  return {.stone = share_of(law, seen.contact) * normal_energy(law.stone, seen.contact) +
-                   shear_energy(seen.memory)};
+  return {.stone = spring_energy(law, seen.contact, seen) + shear_energy(seen.memory.stone)};
 }
 
 template <class Stone>
 Lost lost(const Fracture<Stone>& law, const Seen<Fracture<Stone>>& before,
           const Seen<Fracture<Stone>>& now) {
-  Lost sum = shear_lost(law.stone, before, now);
+  Lost sum = shear_lost(law.stone, Seen<Stone>{before.contact, before.memory.stone},
+                        Seen<Stone>{now.contact, now.memory.stone});
   if (before.contact.softness == now.contact.softness || before.contact.softness == 0) return sum;
-  sum.fracture =
-      sum.stone_area +
-      (share_of(law, before.contact) - share_of(law, now.contact)) * 0.5 *
-          (normal_energy(law.stone, before.contact) + normal_energy(law.stone, now.contact));
+  const auto mean = [&](const Seen<Fracture<Stone>>& as) {
+    return 0.5 * (spring_energy(law, before.contact, as) + spring_energy(law, now.contact, as));
+  };
+  sum.fracture = sum.stone_area + mean(before) - mean(now);
   sum.stone_area = 0;
   return sum;
 }

@@ -90,6 +90,27 @@ TEST(fracture, compliances_of_stone_and_wall_add_up) {
     }
 }
 
+TEST(fracture, stiffness_given_back_bears_later_load_only) {
+  // Closed form: at overlap d the spring of a stone regaining stiffness from 1/w is shortened to
+  // x = d w^-2/3, so that F = F_whole x^1.5 / d^1.5 = F_whole / w stays; then it is as stiff as a
+  // whole one of overlap x. Apart, it forgets what it was shortened by.
+  const double w = 8, d = 8e-6, x = 2e-6, more = 1e-6;
+  OneContact<Law> contact({stone}, 1e-3, 1e-3);
+  const auto whole = [](double overlap) {
+    return OneContact<Law>({stone}, 1e-3, 1e-3).move(overlap, 1e-6).push;
+  };
+  contact.soften(w);
+  contact.move(d, 1e-6);
+  contact.soften(1);
+  check({"force of a stone that regains its stiffness / before", "1",
+         contact.move(d, 1e-6).push / (whole(d) / w), 1, relative(1e-12), "closed form"});
+  check({"force of a stone that regained its stiffness and is loaded on", "N",
+         contact.move(d + more, 1e-6).push, whole(x + more), relative(1e-12), "closed form"});
+  EXPECT_EQ(contact.move(d - 1.01 * x, 1e-6).push, 0);
+  contact.move(-1e-6, 1e-6);
+  EXPECT_EQ(contact.move(d, 1e-6).push, whole(d));
+}
+
 // A stone squeezed between a fixed and a driven plate.
 Simulation<Law> squeeze(double strength) {
   ParticleStore stones = make_stones({{0, 0, 4e-3}}, {4e-3}, 2650, 0, 1);

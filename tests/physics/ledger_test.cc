@@ -290,6 +290,7 @@ TEST(ledger, closes_over_a_bed_of_asphalt_that_settles_and_gyrates) {
   EXPECT_LT(std::abs(asphalt.energies().residual_share()), closed);
   asphalt.gyrate();
   EXPECT_GT(asphalt.bed().cracks().size(), 0u);
+  EXPECT_GT(asphalt.energies().lost.fracture, 0);
   EXPECT_GT(asphalt.energies().lost.binder, 0.01 * asphalt.energies().walls);
   EXPECT_LT(std::abs(asphalt.energies().residual_share()), closed);
 }

@@ -9,6 +9,7 @@
 
 #include "dem/laws/fracture.h"
 #include "dem/laws/mindlin.h"
+#include "dem/laws/slip_rings.h"
 #include "dem/laws/sum.h"
 #include "dem/material.h"
 #include "tests/physics/binder_laws.h"
@@ -61,6 +62,7 @@ struct Loop {
   double middle, depth;  // of the overlap [m]
   double slide;          // [m]
   double duration;       // of one turn [s]
+  double softening = 0;  // largest softness of the stones - 1 [-]
 };
 
 // Drives a contact that nobody has touched along two turns of a random loop. The work put into it
@@ -71,7 +73,7 @@ template <class Law>
 void expect_passive(const Law& law, double radius, const Loop& loop, Dice& dice,
                     const std::string& what, int seed) {
   constexpr int steps = 2000;
-  const Curve overlap(dice, steps), x(dice, steps), y(dice, steps);
+  const Curve overlap(dice, steps), x(dice, steps), y(dice, steps), softness(dice, steps);
   OneContact<Law> contact(law, 1.2 * radius, radius);
   double work = 0, least = 0, force = 0, stride = 0, old_h = 0, push = 0;
   Vec3d old_slide = {0, 0, 0}, shear = {0, 0, 0};
@@ -86,6 +88,7 @@ void expect_passive(const Law& law, double radius, const Loop& loop, Dice& dice,
     }
     const bool held = contact.held();
     const Vec3d ds = slide - old_slide;
+    contact.soften(1 + loop.softening * (1 + softness.at(n)) / 2);
     const Response<double> now = contact.move(h, loop.duration / steps, ds);
     ASSERT_TRUE(std::isfinite(now.push + norm(now.shear) + now.stiffness))
         << what << " of seed " << seed;
@@ -159,6 +162,17 @@ TEST(passivity, no_loop_takes_energy_out_of_bare_stones) {
   }
 }
 
+TEST(passivity, no_loop_takes_energy_out_of_stones_that_slip_from_their_rim) {
+  // From thermodynamics: each ring is a spring that slips.
+  for (int seed = 0; seed < loops; ++seed) {
+    Dice dice(seed);
+    const double radius = dice.decade(1e-3, 1e-2), depth = radius * dice.decade(1e-5, 1e-2);
+    const Loop loop = {depth * dice.between(-0.5, 0.9), depth, depth * dice.decade(1e-2, 10),
+                       dice.decade(1e-5, 1e3)};
+    expect_passive(any_stone<SlipRings<>>(dice, 0), radius, loop, dice, "slip rings", seed);
+  }
+}
+
 TEST(passivity, no_loop_takes_energy_out_of_damped_stones) {
   // From thermodynamics: damping only ever takes energy, whatever the restitution.
   for (int seed = 0; seed < loops; ++seed) {
@@ -182,6 +196,17 @@ TEST(passivity, no_loop_takes_energy_out_of_stones_in_their_shells) {
                        dice.decade(1e-5, 1e3)};
     expect_passive(Sum<Stone, Binder<3>>{stone, binder}, radius, loop, dice, "stones in shells",
                    seed);
+  }
+}
+
+TEST(passivity, stones_that_lose_and_regain_stiffness_create_no_energy) {
+  // A broken stone that is clamped and let go while it is pressed and rubbed, on random paths.
+  for (int seed = 0; seed < loops; ++seed) {
+    Dice dice(seed);
+    const double radius = dice.decade(1e-3, 1e-2), depth = radius * dice.decade(1e-5, 1e-2);
+    const Fracture<Stone> law = {any_stone<Stone>(dice, 0)};
+    const Loop loop = {0.5 * depth, depth, depth, 1e-3, dice.decade(0.1, 9)};
+    expect_passive(law, radius, loop, dice, "stones that break", seed);
   }
 }
 
