@@ -13,6 +13,7 @@
 #include "apps/path_case.h"
 #include "apps/program.h"
 #include "apps/whole_file.h"
+#include "dem/laws/slip_rings.h"
 #include "dem/strength.h"
 
 namespace {
@@ -108,20 +109,34 @@ std::string table(const apps::PathCase& the_case, const Law& law) {
   return rows;
 }
 
+// Laws of dry stones that runs do not have.
+template <class Law>
+Law other_shear(const apps::DampedDry& dry) {
+  return {dry.normal, dry.shear_modulus, dry.friction, dry.gap};
+}
+
 void follow(const apps::Options& options) {
   const apps::PathCase the_case = apps::read_path_case(options.scene, options.overrides);
   if (options.check) return;
   apps::Mix mix;
   mix.shell = the_case.shell;
   mix.bitumen_fraction = the_case.bitumen_fraction;
-  const apps::StonesScene stone = the_case.stone.value_or(apps::StonesScene{});
+  apps::StonesScene stone = the_case.stone.value_or(apps::StonesScene{});
+  if (the_case.shear != "force" && !stone.restitution) stone.restitution = 1;
   const apps::LawBook book(stone, the_case.binder, mix);
   constexpr double sticking = std::numeric_limits<double>::max();
   apps::Counterpart counterpart = {std::nullopt, the_case.stone ? stone.friction : sticking};
   if (the_case.at_wall()) counterpart.wall = the_case.wall.value_or(apps::rigid);
 
+  using Damped = dem::Hertz<dem::Damping::restitution>;
+  using WholeSpring = dem::Mindlin<Damped, dem::Carries::displacement>;
+  const auto dry = [&] { return book.law<apps::DampedDry>(counterpart, false); };
   std::string rows;
-  if (the_case.stone) {
+  if (the_case.shear == "displacement") {
+    rows = table(the_case, other_shear<WholeSpring>(dry()));
+  } else if (the_case.shear == "rings") {
+    rows = table(the_case, other_shear<dem::SlipRings<Damped>>(dry()));
+  } else if (the_case.stone) {
     rows = apps::with_law(
         book, [&]<class Law>() { return table(the_case, book.law<Law>(counterpart, true)); });
   } else {

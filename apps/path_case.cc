@@ -62,7 +62,17 @@ std::vector<Section> describe(PathCase& the_case, std::string& file) {
              "Coulomb coefficient of stones, and of the film on a wall", ""},
             {&stone.density, "density", density_unit, positive, "what damping is scaled with", ""},
             {&stone.restitution, "restitution", pure, above_zero_to(1),
-             "speed after / before a dry impact; absent: no damping", "", optional("0.5")}},
+             "speed after / before a dry impact; absent: no damping", "", optional("0.5")},
+            {&the_case.shear,
+             "shear",
+             pure,
+             unbounded,
+             "what carries the shear: a spring that keeps its force, as in a run, or its "
+             "displacement, as in other codes; or rings that slip one by one, as Mindlin's exact "
+             "solution",
+             "",
+             {},
+             {"force", "displacement", "rings"}}},
            [&the_case] { the_case.stone.reset(); }},
           std::move(fracture),
           {"wall",
@@ -97,6 +107,9 @@ class CaseCheck {
     if (document_.find("stone.restitution") && (given("binder") || given("stone.fracture")))
       refuse("stone.restitution", "no restitution where stones have binder or may break",
              "remove it, binder and fracture dissipate by themselves");
+    if (the_case.shear != "force" && (given("binder") || given("stone.fracture")))
+      refuse("stone.shear", "\"force\" where stones have binder or may break",
+             "remove it, or the sections [binder] and [stone.fracture]");
     if (the_case.binder) check(*the_case.binder);
     if (the_case.binder && !the_case.radius.empty() &&
         the_case.shell > std::ranges::min(the_case.radius))

@@ -26,6 +26,7 @@ struct PathCase {
   double bitumen_fraction = 1;        // of the binder phase [-]
 
   std::optional<StonesScene> stone;   // absent: the shells meet no stone, however deep
+  std::string shear = "force";        // "force", "displacement" or "rings": what carries the shear
   int seed = 1;                       // of the strengths, for stones that break
   std::optional<dem::Material> wall;  // absent: a rigid one
 

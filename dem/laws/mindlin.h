@@ -9,7 +9,12 @@
 
 namespace dem {
 
-template <class Normal = Hertz<>>
+// What the spring carries along while its stiffness grows with the contact: its force, as a spring
+// that is extended by what comes to touch anew does, or its displacement, as in LAMMPS, LIGGGHTS
+// and the codes of Chung & Ooi (2011). The latter creates energy on closed paths.
+enum class Carries { force, displacement };
+
+template <class Normal = Hertz<>, Carries carries = Carries::force>
 struct Mindlin {
   Normal normal;
   double shear_modulus;  // G*, 1/G* = sum of (2 - nu)/G [Pa]
@@ -45,7 +50,8 @@ struct Mindlin {
     const T force = push.force * share;
     const T stiffness = T(8.0 * shear_modulus) * push.contact_radius * share;
 
-    const T left = smaller(stiffness * memory.compliance, T(1.0));
+    T left = stiffness * memory.compliance;
+    if constexpr (carries == Carries::force) left = smaller(left, T(1.0));
     const Vec3<T> kept = carried(memory.shear, contact) * left;
     const Vec3<T> tried = kept - contact.sliding * stiffness;
     const T limit = T(friction) * force;

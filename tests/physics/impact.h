@@ -10,12 +10,14 @@
 #include <vector>
 
 #include "dem/laws/mindlin.h"
+#include "dem/laws/slip_rings.h"
 #include "dem/material.h"
 #include "dem/simulation.h"
 
 namespace dem {
 
-using ImpactLaw = Mindlin<Hertz<Damping::restitution>>;
+using Normal = Hertz<Damping::restitution>;
+using ImpactLaw = Mindlin<Normal>;
 
 struct Sphere {
   double radius;           // [m]
@@ -44,7 +46,8 @@ inline double sphere_mass(const ImpactCase& impact, int k) {
   return impact.density * 4.0 / 3 * std::numbers::pi * r * r * r;
 }
 
-inline ImpactLaw law_of(const ImpactCase& impact) {
+template <class Law = ImpactLaw>
+Law law_of(const ImpactCase& impact) {
   const double bodies = static_cast<double>(impact.spheres.size());  // that yield
   return {{1 / (bodies * normal_compliance(impact.material)), damping_ratio(impact.restitution)},
           1 / (bodies * shear_compliance(impact.material)),
@@ -67,7 +70,8 @@ inline HertzImpact hertz_impact(const ImpactCase& impact, double v) {
   return {k * std::pow(overlap, 1.5), overlap, duration * overlap / v};
 }
 
-inline Outcome collide(const ImpactCase& impact) {
+template <class Law = ImpactLaw>
+Outcome collide(const ImpactCase& impact) {
   omp_set_num_threads(1);  // more would only wait for each other
   const bool pair = impact.spheres.size() == 2;
   const auto& spheres = impact.spheres;
@@ -90,8 +94,9 @@ inline Outcome collide(const ImpactCase& impact) {
   settings.safety = 1;  // the step stays at its largest
   settings.largest_step = hertz.duration / impact.steps;
   settings.skin = 0.1 * radius.back();
-  Simulation<ImpactLaw> simulation(stones, law_of(impact), settings);
-  if (!pair) simulation.add_wall({"plane", Plane{}, {}}, law_of(impact));
+  const Law law = law_of<Law>(impact);
+  Simulation<Law> simulation(stones, law, settings);
+  if (!pair) simulation.add_wall({"plane", Plane{}, {}}, law);
 
   Outcome outcome;
   bool touched = false;

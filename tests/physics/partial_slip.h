@@ -1,6 +1,5 @@
 // A sphere that meets a rigid plane obliquely, integrated without the simulation: the exact answer
-// of Cattaneo and Mindlin, and that of the spring of Chung & Ooi (2011), to tell what a law's own
-// spring leaves out.
+// of Cattaneo and Mindlin.
 #pragma once
 
 #include <algorithm>
@@ -51,25 +50,6 @@ class PartialSlip {
   std::vector<double> gap_, slid_;  // [m]
 };
 
-// One spring T = -8 G* a s that takes its displacement, not its force, along: the spring that Chung
-// & Ooi's codes have. Slip shortens s to where T = mu F.
-class WholeSpring {
- public:
-  WholeSpring(double shear_modulus, double friction, double radius)
-      : shear_modulus_(shear_modulus), friction_(friction), radius_(radius) {}
-
-  double slide(double overlap, double sliding, double push) {
-    const double stiffness = 8 * shear_modulus_ * std::sqrt(radius_ * overlap);
-    const double limit = friction_ * push / stiffness;
-    slid_ = std::clamp(slid_ + sliding, -limit, limit);
-    return -stiffness * slid_;
-  }
-
- private:
-  double shear_modulus_, friction_, radius_;
-  double slid_ = 0;  // [m]
-};
-
 // What the tangential motion is after the impact.
 struct Rebound {
   double velocity;  // of the centre along the plane [m/s]
@@ -110,13 +90,6 @@ inline Rebound rebound_with_partial_slip(const ImpactCase& impact) {
                    1.02 * std::sqrt(sphere.radius * deepest));
   return rebound(impact, [&](double overlap, double sliding, double, double damping) {
     return slip.slide(overlap, sliding, damping);
-  });
-}
-
-inline Rebound rebound_with_whole_spring(const ImpactCase& impact) {
-  WholeSpring spring(law_of(impact).shear_modulus, impact.friction, impact.spheres.front().radius);
-  return rebound(impact, [&](double overlap, double sliding, double push, double) {
-    return spring.slide(overlap, sliding, push);
   });
 }
 
