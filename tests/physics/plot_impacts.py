@@ -25,14 +25,17 @@ PANELS = [
       ("restitution out over restitution in, cast iron", LINE)]),
     ("4: oblique, aluminium oxide", "angle [deg]", "tangential restitution",
      [("tangential restitution at an angle / deg, sliding, aluminium oxide", LINE),
-      ("tangential restitution at an angle / deg, aluminium oxide", CROSS),
-      ("tangential restitution at an angle / deg of T = -8 G* a s, not ours", CROSS)]),
+      ("tangential restitution at an angle / deg, spring carrying force", CROSS),
+      ("tangential restitution at an angle / deg, slip rings", CROSS),
+      ("tangential restitution at an angle / deg, sticking, spring carrying displacement",
+       CROSS)]),
     ("4: oblique, aluminium oxide", "angle [deg]", "spin after [rad/s]",
      [("spin after at an angle / deg, sliding, aluminium oxide", LINE),
-      ("spin after at an angle / deg, sticking, aluminium oxide", CROSS)]),
+      ("spin after at an angle / deg, sticking, spring carrying force", CROSS)]),
     ("5: oblique, from slip to stick", "slip before / mu v_n", "slip after / mu v_n",
-     [("slip after / (mu v_n) from a slip before / (mu v_n), steel", CROSS),
-      ("slip after / (mu v_n) from a slip before / (mu v_n), polyethylene", CROSS)]),
+     [("slip after / (mu v_n) from a slip before / (mu v_n), steel, spring carrying force", CROSS),
+      ("slip after / (mu v_n) from a slip before / (mu v_n), steel, slip rings", CROSS),
+      ("slip after / (mu v_n) from a slip before / (mu v_n), polyethylene, slip rings", CROSS)]),
     ("5: oblique, sliding", "slip before / mu v_n", "slip taken away / mu v_n",
      [("slip taken away / (mu v_n) from a slip before / (mu v_n), steel", LINE),
       ("slip taken away / (mu v_n) from a slip before / (mu v_n), polyethylene", LINE)]),
@@ -50,10 +53,11 @@ PANELS = [
 
 def short(quantity):
     """What tells a quantity from its neighbours in a panel."""
-    if "not ours" in quantity:
-        return quantity.rsplit("deg of ", 1)[-1]
-    if "angle / deg" in quantity:
-        return "ours, sliding" if "sliding" in quantity else "ours, sticking"
+    if ", sliding, " in quantity:
+        return "sliding"
+    for mark in ("(mu v_n), ", "/ deg, "):
+        if mark in quantity:
+            return quantity.rsplit(mark, 1)[-1]
     return quantity.rsplit(", ", 1)[-1]
 
 
@@ -63,8 +67,7 @@ def draw(axes, quantity, kind, rows, colour):
     if not points:
         raise SystemExit(f"no row of {quantity}: have its test and this picture parted?")
     at, computed, reference, source = zip(*points)
-    ours = "not ours" not in quantity
-    axes.plot(at, computed, "o" if ours else "+", color=colour, markersize=4, label=short(quantity))
+    axes.plot(at, computed, "o", color=colour, markersize=4, label=short(quantity))
     if kind == LINE:
         axes.plot(at, reference, color=colour, linewidth=0.9)
     else:
