@@ -1,15 +1,12 @@
 #include "apps/recorder.h"
 
-#include <hdf5.h>
-
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <utility>
 
-#include "apps/errors.h"
+#include "apps/hdf5_handle.h"
 #include "apps/whole_file.h"
 
 namespace apps {
@@ -18,33 +15,6 @@ namespace {
 constexpr hsize_t chunk_rows = 512;                // rows of one column written at once
 constexpr std::size_t memory_increment = 1 << 20;  // growth of the file in memory [byte]
 
-// An HDF5 identifier that is given back at the end of its scope.
-class Handle {
- public:
-  Handle(hid_t id, herr_t (*close)(hid_t), const std::string& what) : id_(id), close_(close) {
-    if (id < 0) throw OutputError("HDF5 cannot " + what);
-  }
-  Handle(Handle&& other) noexcept
-      : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
-  ~Handle() {
-    if (id_ >= 0) close_(id_);
-  }
-  operator hid_t() const { return id_; }
-
- private:
-  hid_t id_;
-  herr_t (*close_)(hid_t);
-};
-
-void require(herr_t status, const std::string& what) {
-  if (status < 0) throw OutputError("HDF5 cannot " + what);
-}
-
-// HDF5 prints every failed call by itself; ours are exceptions.
-void silence() {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-}
-
 Handle memory_driver() {
   Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "choose its driver");
   require(H5Pset_fapl_core(access, memory_increment, false), "keep a file in memory");
@@ -52,13 +22,13 @@ Handle memory_driver() {
 }
 
 Handle create_in_memory(const std::string& path) {
-  silence();
+  silence_hdf5();
   const Handle access = memory_driver();
   return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose, "create a file"};
 }
 
 Handle read_into_memory(const std::string& path) {
-  silence();
+  silence_hdf5();
   const Handle access = memory_driver();
   return {H5Fopen(path.c_str(), H5F_ACC_RDWR, access), H5Fclose, "read '" + path + "'"};
 }
@@ -195,7 +165,7 @@ struct Recorder::File {
   bool on_disk = false;  // does the disk hold all that was recorded
 
   void settle() {
-    const std::size_t count = pending.front().size();
+    const std::size_t count = pending.empty() ? 0 : pending.front().size();
     if (count == 0) return;
     std::vector<bool> changed(count);
     for (std::size_t c = 0; c < columns.size(); ++c) {

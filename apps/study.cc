@@ -1,0 +1,131 @@
+#include "apps/study.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "apps/parameters.h"
+#include "apps/text.h"
+
+namespace apps {
+namespace {
+
+struct Numbers {
+  std::vector<double> seeds;
+};
+
+std::vector<Section> describe(Study& study, Numbers& numbers) {
+  return {{"study",
+           "What is run.",
+           {{&study.program,
+             "program",
+             pure,
+             unbounded,
+             "that runs the scene",
+             "",
+             required("\"gyratory\""),
+             {"gyratory", "flow_test"}},
+            {&study.scene, "scene", pure, unbounded, "from the folder of the study", "",
+             required("\"scene.toml\"")},
+            {&numbers.seeds, "seeds", pure, at_least(0), "one run each, of every setting", "",
+             required("[1, 2, 3]")},
+            {&study.reference, "reference", pure, unbounded,
+             "name of the setting that errors are counted from", "", required("\"reference\"")}}}};
+}
+
+// Letters, digits and dots of a name; the rest becomes underscores.
+std::string word_of(const std::string& name) {
+  std::string word = name;
+  std::ranges::replace_if(
+      word, [](unsigned char c) { return !std::isalnum(c) && c != '.' && c != '-'; }, '_');
+  return word;
+}
+
+// The keys of the scene below a section of the study, as overrides.
+std::vector<std::string> overrides_in(const Document& document, const std::string& section) {
+  std::vector<std::string> overrides;
+  const std::string prefix = section + '.';
+  for (const auto& [name, value] : document.values) {
+    if (!name.starts_with(prefix)) continue;
+    const std::string key = name.substr(prefix.size());
+    const std::string* word = std::get_if<std::string>(&value.content);
+    if (key != "name")
+      overrides.push_back(key + '=' + (word && *word == "none" ? *word : value.written));
+  }
+  return overrides;
+}
+
+void read_settings(Study& study, const Document& document, Mistakes& mistakes) {
+  const std::vector<std::string> base = overrides_in(document, "base");
+  for (std::size_t k = 0; k < document.repetitions("setting"); ++k) {
+    const std::string section = repeated("setting", k);
+    const Value* value = document.find(section + ".name");
+    const std::string* name = value ? std::get_if<std::string>(&value->content) : nullptr;
+    if (!name || name->empty()) {
+      mistakes.add(document.place(section + ".name"), "for setting.name a word in quotes",
+                   value ? value->written : "nothing", "write it like name = \"draft\"");
+      continue;
+    }
+    Setting setting{*name, word_of(*name), base};
+    std::ranges::copy(overrides_in(document, section), std::back_inserter(setting.overrides));
+    if (std::ranges::find(study.settings, setting.word, &Setting::word) != study.settings.end())
+      mistakes.add(value->place, "a name unlike those above", value->written, "choose another");
+    study.settings.push_back(std::move(setting));
+  }
+}
+
+void check(const Study& study, const Numbers& numbers, const Document& document,
+           Mistakes& mistakes) {
+  if (study.settings.empty())
+    mistakes.add({document.path, 1, 1}, "a section [[setting]]", "none", "add some");
+  if (const Value* seeds = document.find("study.seeds")) {
+    for (const double seed : numbers.seeds)
+      if (seed != std::floor(seed))
+        mistakes.add(seeds->place, "for study.seeds whole numbers", seeds->written, "round them");
+    if (numbers.seeds.empty())
+      mistakes.add(seeds->place, "for study.seeds at least one", seeds->written, "add some");
+  }
+  const Value* reference = document.find("study.reference");
+  if (reference && !study.settings.empty() &&
+      std::ranges::find(study.settings, study.reference, &Setting::name) == study.settings.end())
+    mistakes.add(reference->place, "for study.reference the name of a setting", reference->written,
+                 "name one of the sections [[setting]]");
+}
+
+}  // namespace
+
+const Setting& Study::reference_setting() const {
+  return *std::ranges::find(settings, reference, &Setting::name);
+}
+
+Study read_study(const std::string& path, const std::vector<std::string>& overrides) {
+  const UnitSystem units;
+  Mistakes mistakes;
+  const Document document = read_document(path, overrides, mistakes);
+  Study study;
+  Numbers numbers;
+  Document own = document;
+  const auto of_scene = [](const auto& item) {
+    return item.first == "base" || item.first.starts_with("base.") ||
+           item.first.starts_with("setting[");
+  };
+  std::erase_if(own.values, of_scene);
+  std::erase_if(own.sections, of_scene);
+  read_sections(describe(study, numbers), own, units, mistakes);
+  read_settings(study, document, mistakes);
+  check(study, numbers, document, mistakes);
+  if (document.find("study.scene")) {
+    const std::string scene = document.path_from("study.scene", study.scene);
+    if (!read_text(scene))
+      mistakes.add(document.place("study.scene"), "for study.scene a file", '"' + scene + '"',
+                   "give its path from the folder of the study");
+    study.scene = scene;
+  }
+  if (mistakes.any()) throw InputError(mistakes.lines());
+  study.path = document.path;
+  study.text = document.text;
+  for (const double seed : numbers.seeds) study.seeds.push_back(static_cast<int>(seed));
+  return study;
+}
+
+}  // namespace apps

@@ -1,0 +1,118 @@
+#include "apps/study_errors.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numeric>
+
+#include "apps/history_file.h"
+
+namespace apps {
+namespace {
+
+// The value at x of a curve whose abscissa rises.
+double at(const std::vector<double>& abscissa, const std::vector<double>& values, double x) {
+  const auto above = std::ranges::lower_bound(abscissa, x);
+  if (above == abscissa.begin()) return values.front();
+  if (above == abscissa.end()) return values.back();
+  const auto k = static_cast<std::size_t>(above - abscissa.begin());
+  const double part = (x - abscissa[k - 1]) / (abscissa[k] - abscissa[k - 1]);
+  return values[k - 1] + part * (values[k] - values[k - 1]);
+}
+
+std::vector<double> points_of(const Quantity& quantity, const std::vector<double>& abscissa,
+                              const std::vector<double>& values) {
+  switch (quantity.take) {
+    case Quantity::last:
+      return {values.back()};
+    case Quantity::largest:
+      return {std::ranges::max(values)};
+    case Quantity::smallest:
+      return {std::ranges::min(values)};
+    case Quantity::mean:
+      return {std::accumulate(values.begin(), values.end(), 0.0) /
+              static_cast<double>(values.size())};
+    case Quantity::curve:
+      break;
+  }
+  std::vector<double> points;
+  for (int k = 1; k <= curve_points; ++k)
+    points.push_back(at(abscissa, values, abscissa.back() * k / curve_points));
+  return points;
+}
+
+double rms(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double v : values) sum += v * v;
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+std::vector<double> mean_of(const std::vector<std::vector<double>>& runs) {
+  std::vector<double> mean(runs.front().size(), 0);
+  for (const auto& run : runs)
+    for (std::size_t k = 0; k < mean.size(); ++k)
+      mean[k] += run[k] / static_cast<double>(runs.size());
+  return mean;
+}
+
+}  // namespace
+
+Interest interest_of(const std::string& program) {
+  using enum Quantity::Take;
+  constexpr double percent = 0.01, millimetre = 1e-3, kilopascal = 1e3;
+  if (program == "flow_test")
+    return {"displacement",
+            {{"pressure, curve", "pressure", curve, kilopascal},
+             {"pressure, peak", "pressure", largest, kilopascal},
+             {"uplift, curve", "uplift", curve, millimetre},
+             {"uplift, end", "uplift", last, millimetre},
+             {"fractured stones", "fractured", last, 1},
+             {"coordination", "coordination", last, 1}}};
+  return {"gyration",
+          {{"air-void decrease, curve", "air_voids_decrease", curve, percent},
+           {"air voids, end", "air_voids", last, percent},
+           {"height, end", "height", last, millimetre},
+           {"internal angle", "internal_angle", mean, percent},
+           {"mould traction, mean", "mould_traction", mean, kilopascal},
+           {"mould traction, peak", "mould_traction", largest, kilopascal},
+           {"fractured stones", "fractured", last, 1},
+           {"coordination", "coordination", last, 1}}};
+}
+
+Found read_found(const std::string& results, const Interest& interest) {
+  const HistoryFile file(results);
+  const std::vector<double> whole = file.column(interest.abscissa);
+  // From where the abscissa begins to rise: before, a machine only takes up its load.
+  const auto begin = std::ranges::find_if(whole, [](double x) { return x > 0; }) - whole.begin();
+  const std::vector<double> abscissa(whole.begin() + begin, whole.end());
+  Found found;
+  for (const Quantity& quantity : interest.quantities) {
+    found.emplace_back();
+    if (!file.has(quantity.column) || abscissa.empty()) continue;
+    const std::vector<double> column = file.column(quantity.column);
+    found.back() = points_of(quantity, abscissa, {column.begin() + begin, column.end()});
+  }
+  return found;
+}
+
+Judgement judge(const std::vector<std::vector<double>>& setting,
+                const std::vector<std::vector<double>>& reference, double least_size) {
+  const auto lacks = [](const std::vector<double>& points) { return points.empty(); };
+  if (setting.empty() || reference.size() < 2 || std::ranges::any_of(setting, lacks) ||
+      std::ranges::any_of(reference, lacks))
+    return {};
+  const std::vector<double> expected = mean_of(reference), found = mean_of(setting);
+  std::vector<double> difference(expected.size()), deviation(expected.size(), 0);
+  const auto seeds = static_cast<double>(reference.size());
+  for (std::size_t k = 0; k < expected.size(); ++k) {
+    difference[k] = found[k] - expected[k];
+    for (const auto& run : reference)
+      deviation[k] += (run[k] - expected[k]) * (run[k] - expected[k]) / (seeds - 1);
+    deviation[k] = std::sqrt(deviation[k]);
+  }
+  const double size = std::max(rms(expected), least_size);
+  const double both = std::sqrt(1 / seeds + 1 / static_cast<double>(setting.size()));
+  return {rms(difference) / size, 2 * both * rms(deviation) / size, true};
+}
+
+}  // namespace apps

@@ -1,0 +1,46 @@
+// What the settings of a study differ in, against its reference and against the scatter over seeds.
+//
+// Every quantity is a curve of m points, a number being one point. Of n seeds each,
+//   error = rms over the points of (mean over seeds of setting - of reference) / size,
+//   noise = 2 sqrt(2 / n) x rms over the points of the reference's standard deviation / size,
+// size being the rms of the reference's mean. A difference of two means of n runs that differ by
+// nothing but chance stays below the noise in 19 of 20 cases: what is inside it is no error.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace apps {
+
+struct Quantity {
+  std::string name;    // "mould traction, peak"
+  std::string column;  // of the history
+  enum Take { last, mean, largest, smallest, curve } take;
+  double least_size;  // below it differences are told in its parts [unit of the column]
+};
+
+// Of a program; the abscissa is the column that its curves are drawn over.
+struct Interest {
+  std::string abscissa;
+  std::vector<Quantity> quantities;
+};
+Interest interest_of(const std::string& program);
+
+constexpr int curve_points = 200;
+
+// What one run found: the points of every quantity, none where its history lacks the column.
+using Found = std::vector<std::vector<double>>;
+Found read_found(const std::string& results, const Interest& interest);
+
+struct Judgement {
+  double error = 0;    // [-]
+  double noise = 0;    // [-]
+  bool known = false;  // false: a run lacks the quantity, or too few seeds are finished
+  bool beyond() const { return known && error > noise; }
+};
+
+// Of one quantity, from the points found by each seed.
+Judgement judge(const std::vector<std::vector<double>>& setting,
+                const std::vector<std::vector<double>>& reference, double least_size);
+
+}  // namespace apps

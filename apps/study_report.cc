@@ -1,0 +1,163 @@
+#include "apps/study_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "apps/recorder.h"
+
+namespace apps {
+namespace {
+
+double steps_of(const std::string& folder) {
+  std::ifstream file(folder + "/summary.json");
+  return nlohmann::json::parse(file).at("steps").get<double>();
+}
+
+std::string word_of(std::string name) {
+  std::erase(name, ',');
+  std::ranges::replace(name, ' ', '_');
+  std::ranges::replace(name, '-', '_');
+  return name;
+}
+
+double mean_of(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+std::string percent(double share) {
+  return share < 0.0995 ? fmt::format("{:.1f} %", 100 * share)
+                        : fmt::format("{:.0f} %", 100 * share);
+}
+
+}  // namespace
+
+double StudyReport::Row::mean_seconds() const {
+  return mean_of(seconds);
+}
+
+double StudyReport::Row::worst() const {
+  double worst = 0;
+  for (const Judgement& j : judgement)
+    if (j.beyond()) worst = std::max(worst, j.error);
+  return worst;
+}
+
+StudyReport::StudyReport(const Study& study, const std::vector<StudyRun>& runs)
+    : study_(study), interest_(interest_of(study.program)) {
+  auto run = runs.begin();
+  for (const Setting& setting : study.settings) {
+    Row row{&setting};
+    for (std::size_t seed = 0; seed < study.seeds.size(); ++seed, ++run) {
+      if (!run->finished) {
+        row.trouble.push_back(run->trouble);
+        continue;
+      }
+      row.seconds.push_back(run->seconds);
+      row.steps.push_back(steps_of(run->folder));
+      row.found.push_back(read_found(run->folder + "/results.h5", interest_));
+    }
+    rows_.push_back(std::move(row));
+  }
+  const auto of_quantity = [](const Row& row, std::size_t q) {
+    std::vector<std::vector<double>> points;
+    for (const Found& found : row.found) points.push_back(found[q]);
+    return points;
+  };
+  for (Row& row : rows_)
+    for (std::size_t q = 0; q < interest_.quantities.size(); ++q)
+      row.judgement.push_back(judge(of_quantity(row, q), of_quantity(reference(), q),
+                                    interest_.quantities[q].least_size));
+}
+
+const StudyReport::Row& StudyReport::reference() const {
+  return *std::ranges::find_if(
+      rows_, [&](const Row& row) { return row.setting->name == study_.reference; });
+}
+
+std::string StudyReport::line(const Row& row) const {
+  std::string line = "| " + row.setting->name + " | ";
+  if (row.seconds.empty()) return line + "stopped: " + row.trouble.front() + " |\n";
+  const double all = reference().seconds.empty() ? 0 : reference().mean_seconds();
+  line += fmt::format("{:.3g} | {:.2g} | {:.2g} | ", row.mean_seconds(), mean_of(row.steps),
+                      all / row.mean_seconds());
+  for (const Judgement& j : row.judgement) {
+    if (!j.known)
+      line += "- | ";
+    else if (&row == &reference())
+      line += fmt::format("±{} | ", percent(j.noise));
+    else
+      line += j.beyond() ? "**" + percent(j.error) + "** | " : percent(j.error) + " | ";
+  }
+  if (!row.trouble.empty())
+    line += fmt::format("{} of {} runs stopped: {}", row.trouble.size(), study_.seeds.size(),
+                        row.trouble.front());
+  return line + "\n";
+}
+
+std::string StudyReport::table() const {
+  std::string text = fmt::format(
+      "Errors against `{}`, seeds {}. Its own line shows the noise: what two means over the seeds "
+      "differ by if only chance tells them apart. Errors beyond it are bold; the others are "
+      "none.\n\n",
+      study_.reference, fmt::join(study_.seeds, ", "));
+  text += "| setting | CPU s | steps | times faster |";
+  std::string rule = "\n| --- | ---: | ---: | ---: |";
+  for (const Quantity& quantity : interest_.quantities) {
+    text += ' ' + quantity.name + " |";
+    rule += " ---: |";
+  }
+  text += rule + '\n';
+  for (const Row& row : rows_) text += line(row);
+  return text;
+}
+
+void StudyReport::record(const std::string& path) const {
+  std::filesystem::remove(path);
+  Provenance origin;
+  origin.program = "trade";
+  origin.scene_text = study_.text;
+  Recorder recorder(path, origin, {});
+  for (const Row& row : rows_) {
+    if (row.seconds.empty()) continue;
+    const std::string in = "/settings/" + row.setting->word + '/';
+    recorder.write(in + "seconds", row.seconds, "s");
+    recorder.write(in + "steps", row.steps, "1");
+    for (std::size_t q = 0; q < interest_.quantities.size(); ++q) {
+      const std::string of = in + word_of(interest_.quantities[q].name) + '/';
+      const Judgement& j = row.judgement[q];
+      if (!j.known) continue;
+      recorder.write(of + "error", std::vector{j.error}, "1");
+      recorder.write(of + "noise", std::vector{j.noise}, "1");
+      for (std::size_t k = 0; k < row.found.size(); ++k)
+        recorder.write(of + fmt::format("run_{}", k + 1), row.found[k][q], "SI");
+    }
+  }
+  recorder.flush();
+}
+
+std::string StudyReport::cheapest(double tolerance) const {
+  const Row* best = nullptr;
+  for (const Row& row : rows_) {
+    if (row.seconds.size() < study_.seeds.size()) continue;
+    if (row.worst() > tolerance) continue;
+    if (!best || row.mean_seconds() < best->mean_seconds()) best = &row;
+  }
+  if (!best) return fmt::format("no setting is within {}", percent(tolerance));
+  std::string text =
+      fmt::format("cheapest within {}: {} ({:.3g} s, {:.2g} times faster than {})",
+                  percent(tolerance), best->setting->name, best->mean_seconds(),
+                  reference().mean_seconds() / best->mean_seconds(), study_.reference);
+  for (std::size_t q = 0; q < interest_.quantities.size(); ++q)
+    if (best->judgement[q].known && best->judgement[q].noise > tolerance)
+      text += fmt::format("\n  {}: the noise, {}, hides more than that; take more seeds",
+                          interest_.quantities[q].name, percent(best->judgement[q].noise));
+  return text;
+}
+
+}  // namespace apps

@@ -1,0 +1,184 @@
+#include "apps/study_runs.h"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <thread>
+
+#include "apps/errors.h"
+#include "apps/stop_signal.h"
+#include "apps/text.h"
+#include "apps/whole_file.h"
+
+namespace apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += word + '\n';
+  return text;
+}
+
+// Starts a process whose words on both channels go to a file.
+pid_t start(const std::vector<std::string>& words, const std::string& log) {
+  std::vector<char*> argv;
+  for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
+  argv.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(),
+                                   O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
+  pid_t process = -1;
+  const int error = posix_spawn(&process, argv[0], &actions, nullptr, argv.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (error != 0) throw OutputError(words[0] + ": cannot be run");
+  return process;
+}
+
+// The files by which a study knows a run again, beside the folder that the run itself owns.
+struct Traces {
+  explicit Traces(const std::string& folder)
+      : asked(folder + ".asked"),
+        spent(folder + ".seconds"),
+        stopped(folder + ".stopped"),
+        log(folder + ".log") {}
+  std::string asked, spent, stopped, log;
+
+  double seconds() const {
+    const std::optional<std::string> text = read_text(spent);
+    return text ? std::atof(text->c_str()) : 0;
+  }
+  void forget() const {
+    for (const std::string& file : {asked, spent, stopped}) fs::remove(file);
+  }
+};
+
+std::string last_line(const std::string& log) {
+  const std::string text = trimmed(read_text(log).value_or(""));
+  return text.substr(text.rfind('\n') + 1);
+}
+
+class Fleet {
+ public:
+  explicit Fleet(std::vector<StudyRun>& runs) : runs_(runs) {}
+
+  // False if the run is over already.
+  bool launch(std::size_t k) {
+    StudyRun& run = runs_[k];
+    const Traces traces(run.folder);
+    if (read_text(traces.asked) != joined(run.command)) traces.forget();
+    run.seconds = traces.seconds();
+    run.finished = fs::exists(run.folder + "/summary.json") && fs::exists(traces.asked);
+    if (const auto trouble = read_text(traces.stopped)) run.trouble = trimmed(*trouble);
+    if (run.finished || !run.trouble.empty()) return false;
+    const bool begun = fs::exists(traces.asked) && fs::exists(run.folder + "/scene.toml");
+    std::vector<std::string> words = run.command;
+    if (begun)
+      words = {run.command[0], "--resume", run.folder};
+    else
+      words.insert(words.end(), {"--out", run.folder, "--overwrite"});
+    words.insert(words.end(), {"--threads", "1", "--quiet"});
+    fs::create_directories(fs::path(run.folder).parent_path());
+    write_whole_file(traces.asked, joined(run.command));
+    afloat_[start(words, traces.log)] = k;
+    return true;
+  }
+
+  // Takes in one process that has ended, if there is one.
+  bool land() {
+    int status = 0;
+    rusage used = {};
+    const pid_t process = wait4(-1, &status, WNOHANG, &used);
+    const auto found = afloat_.find(process);
+    if (process <= 0 || found == afloat_.end()) return false;
+    StudyRun& run = runs_[found->second];
+    afloat_.erase(found);
+    const Traces traces(run.folder);
+    const auto seconds = [](const timeval& t) {
+      return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+    };
+    run.seconds = traces.seconds() + seconds(used.ru_utime) + seconds(used.ru_stime);
+    write_whole_file(traces.spent, std::to_string(run.seconds));
+    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : stopped + WTERMSIG(status);
+    run.finished = code == ok;
+    if (code == numerical_trouble) {
+      run.trouble = last_line(traces.log);
+      write_whole_file(traces.stopped, run.trouble);
+    } else if (code != ok && !(stop_signal() && code >= stopped)) {
+      trouble_ = run.folder + ": " + last_line(traces.log) + " (status " + std::to_string(code) +
+                 "; all of it in " + traces.log + ')';
+    }
+    return true;
+  }
+
+  void tell_to_stop() const {
+    for (const auto& [process, run] : afloat_) kill(process, SIGTERM);
+  }
+
+  std::size_t size() const { return afloat_.size(); }
+  const std::string& trouble() const { return trouble_; }
+
+ private:
+  std::vector<StudyRun>& runs_;
+  std::map<pid_t, std::size_t> afloat_;
+  std::string trouble_;  // of files, or a crash
+};
+
+}  // namespace
+
+void carry_out(std::vector<StudyRun>& runs, int at_once,
+               const std::function<void(std::size_t over)>& look) {
+  note_stop_signals();
+  Fleet fleet(runs);
+  std::size_t next = 0, over = 0;
+  bool told = false;
+  while (fleet.size() > 0 || (next < runs.size() && !told)) {
+    while (!told && next < runs.size() && fleet.size() < static_cast<std::size_t>(at_once))
+      if (!fleet.launch(next++)) ++over;
+    if (fleet.land())
+      ++over;
+    else
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    look(over);
+    if (!told && (stop_signal() || !fleet.trouble().empty())) {
+      fleet.tell_to_stop();
+      told = true;
+    }
+  }
+  if (!fleet.trouble().empty()) throw OutputError(fleet.trouble());
+  if (stop_signal())
+    throw Stopped(stop_signal(), "stopped; the same command goes on where the runs were");
+}
+
+std::vector<std::string> objections(const std::vector<StudyRun>& runs) {
+  std::vector<std::string> lines;
+  for (const StudyRun& run : runs) {
+    const std::string log = run.folder + ".log";
+    std::vector<std::string> words = run.command;
+    words.insert(words.end(), {"--check", "--quiet"});
+    fs::create_directories(fs::path(run.folder).parent_path());
+    int status = 0;
+    waitpid(start(words, log), &status, 0);
+    if (WIFEXITED(status) && WEXITSTATUS(status) == ok) continue;
+    std::string text = read_text(log).value_or("");
+    for (std::size_t end; (end = text.find('\n')) != std::string::npos; text.erase(0, end + 1)) {
+      const std::string line = text.substr(0, end);
+      if (std::ranges::find(lines, line) == lines.end()) lines.push_back(line);
+    }
+  }
+  return lines;
+}
+
+}  // namespace apps

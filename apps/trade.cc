@@ -1,0 +1,115 @@
+// What speed costs in accuracy: runs a scene under several settings and seeds, and tells the time
+// and the errors of each.
+#include <fmt/format.h>
+#include <unistd.h>
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <iostream>
+#include <thread>
+
+#include "apps/errors.h"
+#include "apps/progress.h"
+#include "apps/stop_signal.h"
+#include "apps/study.h"
+#include "apps/study_report.h"
+#include "apps/study_runs.h"
+#include "apps/whole_file.h"
+
+namespace {
+
+struct Options {
+  std::string study, out = "study", tolerance;
+  std::vector<std::string> overrides;
+  int processes = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  bool check = false, quiet = false;
+};
+
+// 0.01 or 1%, absent: 0.
+double tolerance_of(const std::string& text) {
+  if (text.empty()) return 0;
+  char* rest = nullptr;
+  const double number = std::strtod(text.c_str(), &rest);
+  const std::string unit = rest;
+  if (!(number > 0) || (!unit.empty() && unit != "%" && unit != " %"))
+    throw apps::InputError(
+        {"--tolerance: expected a share above 0, found \"" + text + "\"; write it like 1%"});
+  return unit.empty() ? number : number / 100;
+}
+
+std::vector<apps::StudyRun> runs_of(const apps::Study& study, const std::string& out) {
+  const std::filesystem::path programs = std::filesystem::canonical("/proc/self/exe").parent_path();
+  std::vector<apps::StudyRun> runs;
+  for (const apps::Setting& setting : study.settings)
+    for (const int seed : study.seeds) {
+      apps::StudyRun run;
+      run.folder = fmt::format("{}/runs/{}/seed_{}", out, setting.word, seed);
+      run.command = {programs / study.program, study.scene};
+      for (const std::string& key : setting.overrides)
+        run.command.insert(run.command.end(), {"--set", key});
+      run.command.insert(run.command.end(), {"--set", fmt::format("run.seed={}", seed)});
+      runs.push_back(std::move(run));
+    }
+  return runs;
+}
+
+void trade(const Options& options) {
+  const double tolerance = tolerance_of(options.tolerance);
+  const apps::Study study = apps::read_study(options.study, options.overrides);
+  std::vector<apps::StudyRun> runs = runs_of(study, options.out);
+  const std::vector<std::string> objections = apps::objections(runs);
+  if (!objections.empty()) throw apps::InputError(objections);
+  if (options.check) return;
+  apps::Progress progress(std::cout, isatty(STDOUT_FILENO), options.quiet);
+  apps::carry_out(runs, options.processes, [&](std::size_t over) {
+    progress.report(static_cast<double>(over) / static_cast<double>(runs.size()),
+                    fmt::format("{} of {} runs", over, runs.size()));
+  });
+  progress.finish();
+  const apps::StudyReport report(study, runs);
+  apps::write_whole_file(options.out + "/table.md", report.table());
+  report.record(options.out + "/study.h5");
+  std::cout << report.table();
+  if (tolerance > 0) std::cout << '\n' << report.cheapest(tolerance) << '\n';
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app(
+      "Runs a scene under several settings and seeds: time and error of each, against the "
+      "reference and the scatter over seeds. Called again it goes on where it was.");
+  app.add_option("study", options.study, "study file (TOML)")->required();
+  app.add_option("--out", options.out, "folder of the runs, table.md and study.h5");
+  app.add_option("--set", options.overrides, "key=value: overrides any key of the study")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
+  app.add_option("--processes", options.processes, "runs at once")->check(CLI::Range(1, 1024));
+  app.add_option("--tolerance", options.tolerance,
+                 "as 1%: name the cheapest setting whose errors are all below");
+  app.add_flag("--check", options.check, "read and check the study, run nothing");
+  app.add_flag("--quiet", options.quiet, "print no progress");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? apps::ok : apps::bad_input;
+  }
+  try {
+    trade(options);
+    return apps::ok;
+  } catch (const apps::InputError& error) {
+    for (const std::string& line : error.mistakes) std::cerr << line << '\n';
+    return apps::bad_input;
+  } catch (const apps::Stopped& stop) {
+    std::cerr << stop.what() << '\n';
+    return apps::stopped + stop.signal;
+  } catch (const std::filesystem::filesystem_error& error) {
+    std::cerr << error.what() << '\n';
+    return apps::output_trouble;
+  } catch (const apps::OutputError& error) {
+    std::cerr << error.what() << '\n';
+    return apps::output_trouble;
+  }
+}
