@@ -3,6 +3,7 @@
 
 #include <iostream>
 
+#include "apps/fidelity.h"
 #include "apps/flow_box.h"
 #include "apps/flow_run.h"
 #include "apps/forecast.h"
@@ -27,7 +28,8 @@ void foretell(const apps::FlowTestScene& scene, const apps::Mix& mix, const apps
 }
 
 void press(const apps::Options& options) {
-  const apps::FlowTestScene scene = apps::read_flow_scene(options.scene, options.overrides);
+  const apps::FlowTestScene asked = apps::read_flow_scene(options.scene, options.overrides);
+  const apps::FlowTestScene scene = apps::compressed(asked);
   const apps::Mix mix = apps::prepare_mix(scene.stones, scene.binder, scene.run.seed);
   const apps::LawBook book(scene.stones, scene.binder, mix);
   book.check(scene.source);
@@ -38,7 +40,7 @@ void press(const apps::Options& options) {
   if (apps::is_finished(options)) return;
 
   apps::with_law(book, [&]<class Law>() {
-    apps::Session session(options, apps::stored_scene(scene, options),
+    apps::Session session(options, apps::stored_scene(asked, options),
                           apps::provenance("flow_test", options, scene.source.text, scene.run.seed),
                           apps::FlowRun<Law>::columns(scene));
     apps::FlowRun<Law> run(scene, mix, book, options.out);

@@ -3,6 +3,7 @@
 
 #include <iostream>
 
+#include "apps/fidelity.h"
 #include "apps/gyratory_forecast.h"
 #include "apps/gyratory_run.h"
 #include "apps/program.h"
@@ -26,7 +27,8 @@ void foretell(const apps::GyratoryScene& scene, const apps::Mix& mix, const apps
 }
 
 void compact(const apps::Options& options) {
-  const apps::GyratoryScene scene = apps::read_gyratory_scene(options.scene, options.overrides);
+  const apps::GyratoryScene asked = apps::read_gyratory_scene(options.scene, options.overrides);
+  const apps::GyratoryScene scene = apps::compressed(asked);
   const apps::Mix mix = apps::prepare_mix(scene.stones, scene.binder, scene.run.seed);
   const apps::Machine machine = apps::size_machine(scene, mix);
   const apps::LawBook book(scene.stones, scene.binder, mix);
@@ -37,7 +39,7 @@ void compact(const apps::Options& options) {
   if (apps::is_finished(options)) return;
 
   apps::with_law(book, [&]<class Law>() {
-    apps::Session session(options, apps::stored_scene(scene, options),
+    apps::Session session(options, apps::stored_scene(asked, options),
                           apps::provenance("gyratory", options, scene.source.text, scene.run.seed),
                           apps::GyratoryRun<Law>::columns(scene));
     apps::GyratoryRun<Law> run(scene, mix, book, machine);

@@ -1,6 +1,9 @@
 #include "apps/scene.h"
 
+#include <algorithm>
+
 #include "apps/document.h"
+#include "apps/fidelity.h"
 #include "apps/scene_checks.h"
 #include "apps/sections.h"
 #include "apps/units.h"
@@ -21,6 +24,14 @@ void make_room(GyratoryScene& scene, const Document& document) {
 }
 void make_room(FlowTestScene&, const Document&) {}
 
+// Before anything is read: a set of fidelity is nothing but defaults.
+template <class Scene>
+void take_fidelity(const Document& document, Scene& scene) {
+  const Value* value = document.find("run.fidelity");
+  const std::string* word = value ? std::get_if<std::string>(&value->content) : nullptr;
+  if (word && std::ranges::find(fidelities, *word) != fidelities.end()) take_fidelity(*word, scene);
+}
+
 template <class Scene>
 Scene read_scene(const std::string& path, const std::vector<std::string>& overrides) {
   const UnitSystem units;
@@ -28,6 +39,7 @@ Scene read_scene(const std::string& path, const std::vector<std::string>& overri
   const Document document = read_document(path, overrides, mistakes);
   Scene scene;
   make_room(scene, document);
+  take_fidelity(document, scene);
   read_sections(describe(scene), document, units, mistakes);
   check(scene, document, mistakes);
   if (mistakes.any()) throw InputError(mistakes.lines());

@@ -23,6 +23,7 @@ struct SceneSource {
 
 struct RunScene {
   int seed = 1;
+  std::string fidelity = "standard";  // or "draft", "reference"; see fidelity.h
 };
 
 struct FractureScene {
@@ -118,6 +119,7 @@ struct NumericsScene {
   double safety = 0.2;           // time step / sqrt(m / k) of the stiffest contact [-]
   double head_mass_scale = 100;  // inertia / true inertia of the head and the modes of the steel
   int exchange_interval = 20;    // steps between exchanges with the static wall modes
+  double time_compression = 1;   // how many times faster than asked for a process is run [-]
   double largest_overlap = 0.5;  // of stones, at which a run stops / smaller radius [-]
 };
 

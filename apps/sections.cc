@@ -16,6 +16,8 @@ Section describe(NumericsScene& numerics) {
         "inertia / true inertia; the weight is never scaled", "Thornton, Antony (1998)"},
        {&numerics.safety, "safety", pure, above_zero_to(1),
         "time step / sqrt(m / k) of the stiffest contact", "O'Sullivan, Bray (2004), near 0.17"},
+       {&numerics.time_compression, "time_compression", pure, at_least(1),
+        "times that the process is run faster than asked for, and the binder relaxes faster", ours},
        {&numerics.largest_overlap, "largest_overlap", pure, above_zero_to(1),
         "a run stops where stones overlap by this share of the smaller radius", ours}}};
 }

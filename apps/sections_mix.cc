@@ -1,4 +1,5 @@
 // The declarations of what is compacted: stones, binder, filling.
+#include "apps/fidelity.h"
 #include "apps/sections.h"
 
 namespace apps {
@@ -20,7 +21,15 @@ Section describe(RunScene& run) {
   return {"run",
           "What tells one run of a scene from another.",
           {{&run.seed, "seed", pure, at_least(0),
-            "of the random places, sizes and strengths of stones", ours}}};
+            "of the random places, sizes and strengths of stones", ours},
+           {&run.fidelity,
+            "fidelity",
+            pure,
+            unbounded,
+            "the defaults of numerics and modes, as a set",
+            "measured, apps/docs/trade.md",
+            {},
+            fidelities}}};
 }
 
 Section describe(StonesScene& stones) {

@@ -1,0 +1,86 @@
+#!/usr/bin/env python3
+"""Draws a study: plot_trade.py DIR leaves DIR/trade.png and .svg. On the left the worst error of
+each setting against its time: full where it is beyond the noise of the seeds, hollow at the noise
+where it is not, and the front of those that nothing beats in both. On the right the errors by
+quantity."""
+import argparse
+import pathlib
+
+import h5py
+import matplotlib.pyplot as plt
+import numpy
+
+from plots.style import BLUE, GREY, INK, RED, STYLE
+
+
+class Setting:
+    def __init__(self, name, group):
+        self.name = name.replace("_", " ")
+        self.seconds = numpy.mean(group["seconds"][:])
+        known = {q: g for q, g in group.items() if isinstance(g, h5py.Group)}
+        self.error = {q.replace("_", " "): g["error"][0] for q, g in known.items()}
+        self.noise = {q.replace("_", " "): g["noise"][0] for q, g in known.items()}
+        beyond = [e for q, e in self.error.items() if e > self.noise[q]]
+        self.beyond = bool(beyond)
+        self.worst = max(beyond) if beyond else min(self.noise.values())
+
+
+def front(settings):
+    """Those that no other is both faster and better than, from fast to slow."""
+    best, kept = numpy.inf, []
+    for setting in sorted(settings, key=lambda s: s.seconds):
+        if setting.worst < best:
+            best = setting.worst
+            kept.append(setting)
+    return kept
+
+
+def draw_front(axes, settings):
+    for s in settings:
+        axes.plot(s.seconds, 100 * s.worst, "o", color=RED if s.beyond else BLUE,
+                  fillstyle="full" if s.beyond else "none")
+        axes.annotate(s.name, (s.seconds, 100 * s.worst), xytext=(5, 4),
+                      textcoords="offset points", fontsize=8, color=INK)
+    line = front(settings)
+    axes.step([s.seconds for s in line], [100 * s.worst for s in line], where="post", color=GREY,
+              linewidth=1, zorder=0)
+    axes.set(xscale="log", yscale="log", xlabel="processor time [s]",
+             ylabel="worst error beyond noise [%]", title="What time buys")
+
+
+def draw_errors(axes, settings):
+    quantities = list(settings[0].error)
+    share = numpy.array([[s.error.get(q, numpy.nan) / max(s.noise.get(q, 0), 1e-12)
+                          for q in quantities] for s in settings])
+    axes.imshow(numpy.clip(share, 0, 3), cmap="Reds", vmin=0, vmax=3, aspect="auto")
+    for row, s in enumerate(settings):
+        for column, q in enumerate(quantities):
+            if q in s.error:
+                axes.text(column, row, f"{100 * s.error[q]:.1f}", ha="center", va="center",
+                          fontsize=8, color="white" if share[row, column] > 2 else INK,
+                          fontweight="bold" if share[row, column] > 1 else "normal")
+    axes.set_xticks(range(len(quantities)), quantities, rotation=30, ha="right", fontsize=8)
+    axes.set_yticks(range(len(settings)), [s.name for s in settings], fontsize=8)
+    axes.grid(False)
+    axes.set_title("Errors [%], red by how far they are beyond the noise")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("folder", type=pathlib.Path, help="of trade --out")
+    folder = parser.parse_args().folder
+    with h5py.File(folder / "study.h5") as file:
+        settings = [Setting(name, group) for name, group in file["settings"].items()]
+    settings.sort(key=lambda s: s.seconds)
+    with plt.rc_context(STYLE):
+        figure, (left, right) = plt.subplots(1, 2, figsize=(14, 0.25 * len(settings) + 4.5),
+                                             width_ratios=(2, 3))
+        draw_front(left, settings)
+        draw_errors(right, settings)
+        for ending in ("png", "svg"):
+            figure.savefig(folder / f"trade.{ending}", dpi=110)
+    print(folder / "trade.png")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,160 @@
+#!/usr/bin/env python3
+"""Whole scenes at their extremes: scene_table.py BIN_FOLDER SCENES_FOLDER [TABLE.md] [--only WORD]
+
+Runs a small gyratory compaction with one thing at a time taken to its extreme, and prints how each
+ends: as a run whose energy ledger is closed, with its inertial number and the warnings that --check
+gives beforehand, or as a stop with its reason. Exits 1 if one hangs, crashes, writes a number that is
+not finite, or leaves more than 1 % of the work unexplained without a warning beforehand."""
+import argparse
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+
+import h5py
+import numpy as np
+
+os.environ["OMP_WAIT_POLICY"] = "passive"
+LONGEST = 1500  # of a run [s]: beyond it is hung
+
+INTRODUCTION = """# Scenes at their extremes
+
+Made by `python3 tests/extremes/scene_table.py build/bin apps/scenes tests/extremes/scene_table.md`.
+One thing at a time is taken to its extreme in a scene of 150 stones of SMA 11 between rigid walls,
+half a gyration at 600 kPa, and the energy ledger watches. Residual: the part of the work that the
+ledger cannot explain. Inertial number: as `--check` foretells it, quasi-static below 1e-3. A warning
+is what `--check` says before the run.
+
+| extreme | ends | air voids | broken | steps | residual | inertial number | warning |
+|---|---|---|---|---|---|---|---|
+"""
+BASE = {"stones.count": 150, "mould.diameter": "36 mm", "mould.elastic": "none",
+        "head.elastic": "none", "gyration.ramp": "0.2 s", "gyration.count": 0.5,
+        "output.picture_interval": "0 s", "output.energy_ledger": "true"}
+
+
+def sieves(place, rows):
+    path = os.path.join(place, f"sieves{len(os.listdir(place))}.csv")
+    with open(path, "w") as file:
+        file.write("sieve_mm,passing_percent\n")
+        file.writelines(f"{size},{passing}\n" for size, passing in rows)
+    return path
+
+
+def settings(place):
+    """Label and overrides of each extreme."""
+    yield "as it is", {}
+    for count, wide in ((1, "40 mm"), (2, "40 mm")):
+        yield f"{count} stones", {"stones.count": count, "mould.diameter": wide}
+    yield "20,000 stones, 0.02 gyrations", {
+        "stones.count": 20000, "mould.diameter": "none", "mould.aspect_ratio": 1,
+        "gyration.count": 0.02, "gyration.ramp": "0.05 s", "output.energy_ledger": "false",
+        "fill.rest_energy": 0.1}
+    for pressure in ("1 kPa", "10 MPa"):
+        yield pressure, {"gyration.pressure": pressure}
+    for angle in (0, 5):
+        yield f"tilt {angle} deg", {"gyration.angle": f"{angle} deg"}
+    for speed in (1, 300):
+        yield f"{speed} rev/min", {"gyration.speed": f"{speed / 60} rev/s",
+                                   "gyration.count": 0.02 if speed == 1 else 2}
+    for label, modulus in (("-20 degC: 500 MPa", "500 MPa"), ("200 degC: 10 kPa", "10 kPa")):
+        yield label, {"binder.temperature": "none", "binder.shear_modulus": modulus,
+                      "binder.alpha": "[0.513, 0.487]", "binder.tau": "[0.0948, 105.9]"}
+    yield "no binder", {"binder": "none"}
+    for content in ("3 %", "12 %"):
+        yield f"{content} of binder", {"binder.content": content}
+    for friction in (0, 1.5):
+        yield f"friction {friction}", {"stones.friction": friction, "mould.wall_friction": friction,
+                                       "head.friction": friction}
+    yield "equal stones", {"stones.gradation": sieves(place, [(7.9, 0), (8, 100)]),
+                           "stones.distribution": "log_linear", "stones.smallest": "7.9 mm",
+                           "binder.content": "6.6 %", "mould.diameter": "50 mm"}
+    yield "sizes 1:16", {"stones.gradation": sieves(place, [(1, 0), (16, 100)]),
+                         "stones.distribution": "log_linear", "stones.smallest": "1 mm",
+                         "stones.count": 800, "mould.diameter": "44 mm"}
+    yield "weak stones", {"stones.fracture.scale": "40 MPa"}
+    for scale in (1, 1e2, 1e5, 1e6, 1e7):
+        brief = {"gyration.ramp": "0.02 s", "gyration.count": 0.02} if scale < 10 else {}
+        yield f"mass scale {scale:.0e}", {"numerics.mass_scale": scale, **brief}
+    for safety in (0.5, 0.8, 1):
+        yield f"time step {safety} sqrt(m/k)", {"numerics.safety": safety}
+
+
+def command(program, options, scene):
+    line = [os.path.join(options.bin, program),
+            os.path.join(options.scenes, "gyratory_sma11_150C.toml"), "--threads", "1"]
+    for key, value in scene.items():
+        line += ["--set", f"{key}={value}"]
+    return line
+
+
+def flat(scene):
+    """Without the keys below a section that is taken away, and with `none` first."""
+    gone = [key for key, value in scene.items() if value == "none"]
+    kept = {key: value for key, value in scene.items()
+            if not any(key.startswith(section + ".") for section in gone)}
+    return dict(sorted(kept.items(), key=lambda item: item[1] != "none"))
+
+
+def run(options, label, changes):
+    scene = flat({**BASE, **changes})
+    told = subprocess.run(command("gyratory", options, scene) + ["--check"], capture_output=True,
+                          text=True)
+    number = re.search(r"inertial number\s+(\S+)", told.stdout)
+    row = {"label": label, "number": number.group(1) if number else "", "sound": True,
+           "warning": "; ".join(re.findall(r"warning: ([^;,\n]*)", told.stdout))}
+    if told.returncode == 2:
+        return {**row, "ends": "refused: " + told.stderr.strip().split("expected ")[-1]}
+    with tempfile.TemporaryDirectory() as place:
+        folder = os.path.join(place, "run")
+        try:
+            done = subprocess.run(command("gyratory", options, scene) +
+                                  ["--out", folder, "--quiet"], capture_output=True, text=True,
+                                  timeout=LONGEST)
+        except subprocess.TimeoutExpired:
+            return {**row, "ends": f"HANGS: over {LONGEST} s", "sound": False}
+        if done.returncode == 3:
+            return {**row, "ends": done.stderr.strip().splitlines()[0]}
+        if done.returncode != 0:
+            return {**row, "ends": f"FAILS, status {done.returncode}", "sound": False}
+        with h5py.File(os.path.join(folder, "results.h5")) as file:
+            history = {key: values[:] for key, values in file["history"].items()}
+        with open(os.path.join(folder, "summary.json")) as file:
+            summary = json.load(file)
+    finite = all(np.isfinite(values).all() for values in history.values())
+    row.update(ends="runs" if finite else "NOT FINITE", sound=finite,
+               voids=f"{100 * summary['air_voids_end']:.1f} %", broken=summary["fractured_stones"],
+               steps=f"{summary['steps']:.1e}")
+    if "energy_residual_share" in history:
+        share = history["energy_residual_share"][-1]
+        row["residual"] = f"{share:.0e}"
+        row["sound"] = finite and (abs(share) < 0.01 or bool(row["warning"]))
+    return row
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("bin")
+    parser.add_argument("scenes")
+    parser.add_argument("table", nargs="?")
+    parser.add_argument("--only", default="", help="extremes whose label has this word")
+    options = parser.parse_args()
+    text = INTRODUCTION
+    with tempfile.TemporaryDirectory() as place, ThreadPoolExecutor(os.cpu_count()) as workers:
+        asked = [case for case in settings(place) if options.only in case[0]]
+        rows = list(workers.map(lambda case: run(options, *case), asked))
+    for row in rows:
+        text += "| " + " | ".join(str(row.get(key, "")) for key in (
+            "label", "ends", "voids", "broken", "steps", "residual", "number", "warning")) + " |\n"
+    print(text)
+    if options.table:
+        with open(options.table, "w") as file:
+            file.write(text)
+    sys.exit(0 if all(row["sound"] for row in rows) else 1)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,107 @@
+#!/usr/bin/env python3
+"""Studies by the program trade: trade_test.py BIN_FOLDER SCENES_FOLDER TEST_NAME"""
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+import h5py
+
+BIN, SCENES = sys.argv[1], os.path.abspath(sys.argv[2])
+os.environ["OMP_WAIT_POLICY"] = "passive"
+
+STUDY = """[study]
+program = "flow_test"
+scene = "{scenes}/flow_sma11_150C.toml"
+seeds = [1, 2]
+reference = "fine"
+[base]
+stones.count = 130
+stones.fracture = "none"
+flow.length = "40 mm"
+flow.width = "34 mm"
+flow.strip_length = "16 mm"
+flow.displacement = "0.2 mm"
+output.picture_interval = "0 s"
+[[setting]]
+name = "fine"
+[[setting]]
+name = "the same"
+numerics.safety = 0.2
+"""
+
+
+class Trade(unittest.TestCase):
+    def setUp(self):
+        self.place = tempfile.TemporaryDirectory()
+        self.addCleanup(self.place.cleanup)
+        self.out = os.path.join(self.place.name, "out")
+
+    def command(self, text, *options):
+        study = os.path.join(self.place.name, "study.toml")
+        with open(study, "w") as file:
+            file.write(text.format(scenes=SCENES))
+        return [os.path.join(BIN, "trade"), study, "--out", self.out, "--quiet", *options]
+
+    def study(self, text, *options):
+        return subprocess.run(self.command(text, *options), capture_output=True, text=True)
+
+    def runs(self):
+        """When each run's summary was written."""
+        found = {}
+        for folder, _, files in os.walk(self.out):
+            if "summary.json" in files:
+                found[folder] = os.stat(os.path.join(folder, "summary.json")).st_mtime_ns
+        return found
+
+    def test_a_setting_differs_in_nothing_from_itself(self):
+        answer = self.study(STUDY, "--tolerance", "1%")
+        self.assertEqual(answer.returncode, 0, answer.stderr)
+        self.assertIn("cheapest within 1.0 %", answer.stdout)
+        with h5py.File(os.path.join(self.out, "study.h5")) as file:
+            same = file["settings/the_same"]
+            self.assertEqual(len(same["seconds"]), 2)
+            self.assertGreater(min(same["seconds"]), 0)
+            for quantity in ("pressure_curve", "pressure_peak", "uplift_end", "coordination"):
+                self.assertEqual(same[quantity]["error"][0], 0)
+                self.assertGreater(same[quantity]["noise"][0], 0)
+        # Called again it runs what is new only, and a changed setting.
+        before = self.runs()
+        again = self.study(STUDY.replace("safety = 0.2", "safety = 0.15"))
+        self.assertEqual(again.returncode, 0, again.stderr)
+        changed = [run for run, at in self.runs().items() if before[run] != at]
+        self.assertEqual(len(changed), 2)
+        self.assertTrue(all("the_same" in run for run in changed))
+
+    def test_a_stopped_study_goes_on(self):
+        process = subprocess.Popen(self.command(STUDY), stderr=subprocess.PIPE, text=True)
+        scene = os.path.join(self.out, "runs/fine/seed_1/scene.toml")
+        while not os.path.exists(scene):
+            self.assertIsNone(process.poll())
+            time.sleep(0.01)
+        process.send_signal(signal.SIGTERM)
+        words = process.communicate()[1]
+        self.assertEqual(process.returncode, 128 + signal.SIGTERM, words)
+        self.assertLess(len(self.runs()), 4)
+        self.assertEqual(self.study(STUDY).returncode, 0)
+        self.assertEqual(len(self.runs()), 4)
+
+    def test_a_scene_that_is_refused_ends_the_study_before_it_runs(self):
+        answer = self.study(STUDY.replace("safety = 0.2", "safety = 7"))
+        self.assertEqual(answer.returncode, 2)
+        self.assertIn("numerics.safety", answer.stderr)
+        self.assertEqual(len(answer.stderr.splitlines()), 1)
+        self.assertEqual(self.runs(), {})
+
+    def test_a_run_in_numerical_trouble_is_told(self):
+        crushing = STUDY.replace("safety = 0.2", 'largest_overlap = 1e-9\nbinder = "none"')
+        answer = self.study(crushing)
+        self.assertEqual(answer.returncode, 0, answer.stderr)
+        self.assertRegex(answer.stdout, r"\| the same \| stopped: .*stone \d+, time .* overlap")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], "Trade.test_" + sys.argv[3]])
