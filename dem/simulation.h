@@ -179,7 +179,7 @@ void Simulation<Law>::refresh_neighbors() {
     if (gap >= settings_.skin) keep.push_back({i, j});
   }
   list_.build({stones_.position, radius, stones_.id}, settings_.skin, keep, order);
-  pairs_.take(list_);
+  pairs_.take(list_, stones_);
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     wall_contacts_[w].find(stones_, walls_[w], settings_.skin, order);
     walls_[w].moved = 0;
@@ -232,7 +232,7 @@ template <class Visit>
 void Simulation<Law>::visit_state(Visit& visit) {
   dem::visit_state(visit, "stones.", stones_);
   dem::visit_state(visit, "list.", list_);
-  pairs_.visit_state(visit, "pairs.", stones_.size());
+  pairs_.visit_state(visit, "pairs.", stones_);
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     dem::visit_state(visit, walls_[w].name + '.', walls_[w]);
     wall_contacts_[w].visit_state(visit, walls_[w].name + ".contacts.");
