@@ -1,4 +1,4 @@
-// The contact stage: forces of all slots of the neighbour list, added up by stone.
+// The contact stage: forces of all slots of the neighbour list, added to the stones' loads.
 //
 // Every slot is evaluated by the same text, eight at a time (T = Pack) or one at a time (T =
 // double, the slow and obvious reference).
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "dem/contact_history.h"
+#include "dem/meeting.h"
 #include "dem/neighbor_list.h"
 #include "dem/particle_store.h"
 #include "dem/records.h"
@@ -27,10 +28,9 @@ class PairContacts {
  public:
   Law law;
   ContactHistory<Law> history;
-  Tallies tallies;  // of the stones' loads, written by evaluate()
 
   // Takes over a rebuilt list, old memories included.
-  void take(const NeighborList& list, const ParticleStore& stones) {
+  void take(const NeighborList& list, ParticleStore& stones) {
     const std::size_t slots = list.first.size();
     const std::size_t padded = (slots + lanes - 1) / lanes * lanes;
     history.carry(list.previous);
@@ -38,15 +38,15 @@ class PairContacts {
     second_.assign(padded, 0);
     std::copy(list.first.begin(), list.first.end(), first_.begin());
     std::copy(list.second.begin(), list.second.end(), second_.begin());
-    tallies.take(first_, second_, stones.size());
+    tallies_.take(first_, second_, stones);
     slots_ = static_cast<std::int64_t>(slots);
     couple(stones);
   }
 
-  // Forces of all contacts after a step of dt [s], 0 before the first; with a horizon above 0 [s],
-  // the extreme contacts until then too.
+  // Adds the forces of all contacts after a step of dt [s], 0 before the first, to the stones'
+  // loads; with a horizon above 0 [s], finds the extreme contacts until then too.
   template <class T = Pack>
-  Extremes evaluate(const ParticleStore& stones, double dt, double horizon = 0) {
+  Extremes evaluate(ParticleStore& stones, double dt, double horizon = 0) {
     return horizon > 0 ? evaluate_blocks<T, true>(stones, dt, horizon)
                        : evaluate_blocks<T, false>(stones, dt, 0);
   }
@@ -55,6 +55,7 @@ class PairContacts {
   std::vector<SlotForce> forces(const ParticleStore& stones) const;
 
   std::int64_t slots() const { return slots_; }
+  std::size_t bytes() const;                                           // of all arrays
   bool touches(const ParticleStore& stones, std::int64_t slot) const;  // outer surfaces overlap
   std::int64_t touching(const ParticleStore& stones) const;
   std::int64_t held() const;  // slots whose contact would outlive a gap: bonds
@@ -63,81 +64,60 @@ class PairContacts {
 
   // See dem/state.h. What follows from the rest is made again.
   template <class Visit>
-  void visit_state(Visit& visit, const std::string& in, const ParticleStore& stones) {
+  void visit_state(Visit& visit, const std::string& in, ParticleStore& stones) {
     history.visit_state(visit, in);
     visit(in + "first", first_);
     visit(in + "second", second_);
     visit(in + "slots", slots_);
-    tallies.take(first_, second_, stones.size());
+    tallies_.take(first_, second_, stones);
     couple(stones);
   }
 
  private:
-  // What stays of two stones until the next rebuild. All 0 in the lanes that only fill up the last
-  // block: such stones never touch.
-  template <class T>
-  struct Couple {
-    T radius_i, radius_j;          // of the outer surfaces [m]
-    T outer_radius, stone_radius;  // see Contact [m]
-    T mass;                        // reduced inertia [kg]
-  };
-  // What changes in every step, of the first stone against the second or of both.
-  template <class T>
-  struct Passing {
-    Vec3<T> apart;           // [m]
-    Vec3<T> rate;            // [m/s]
-    Vec3<T> spin_i, spin_j;  // [rad/s]
-  };
-  template <class T>
-  struct Meeting {
-    Contact<T> contact;
-    T arm_i, arm_j;  // from the centres to the middle of the overlap [m]
-  };
-
   void couple(const ParticleStore& stones);
   template <class T, bool check>
-  Extremes evaluate_blocks(const ParticleStore& stones, double dt, double horizon);
+  Extremes evaluate_blocks(ParticleStore& stones, double dt, double horizon);
   template <class T, bool check>
   void evaluate_at(const Law& law, const ParticleStore& stones, double dt, double horizon,
                    std::int64_t slot, Tallies::Batch& batch, int in_batch,
                    LaneExtremes<T>& extremes);
-  Couple<double> couple_of(const ParticleStore& stones, std::int64_t slot) const;
   template <class T>
   Couple<T> couple_at(const ParticleStore& stones, std::int64_t slot) const;
   template <class T>
   Passing<T> passing_at(const ParticleStore& stones, std::int64_t slot) const;
   template <class T>
   T softness_at(const ParticleStore& stones, std::int64_t slot) const;
-  template <class T>
-  static Meeting<T> meet(const Couple<T>& couple, const Passing<T>& passing, double dt);
 
   std::vector<std::int32_t> first_, second_;
+  Tallies tallies_;
   std::vector<Couple<Pack>> couples_;  // by block of slots
   std::int64_t slots_ = 0;
 };
 
 template <ContactLaw Law>
 template <class T, bool check>
-Extremes PairContacts<Law>::evaluate_blocks(const ParticleStore& stones, double dt,
-                                            double horizon) {
+Extremes PairContacts<Law>::evaluate_blocks(ParticleStore& stones, double dt, double horizon) {
   Extremes found;
-#pragma omp parallel if (tallies.blocks() > 1)
+#pragma omp parallel if (tallies_.blocks() > 1)
   {
     const Law mine = law;  // not changed by what the loop writes, as the compiler can see
     LaneExtremes<T> extremes;
     Tallies::Batch batch;
-#pragma omp for schedule(static) nowait
-    for (std::int64_t block = 0; block < tallies.blocks(); ++block) {
-      tallies.clear(block);
+#pragma omp for schedule(static)
+    for (std::int64_t block = 0; block < tallies_.blocks(); ++block) {
       const std::int64_t begin = block * Tallies::slots_per_block;
       const std::int64_t end = std::min(slots_, begin + Tallies::slots_per_block);
       for (std::int64_t s = begin; s < end; s += Tallies::Batch::slots) {
         const int count = static_cast<int>(std::min<std::int64_t>(end - s, Tallies::Batch::slots));
         for (int k = 0; k < count; k += width<T>)
           evaluate_at<T, check>(mine, stones, dt, horizon, s + k, batch, k, extremes);
-        tallies.template add<Law::breaks>(s, count, batch);
+        batch.end(count);
+        tallies_.template add<Law::breaks>(s, count, batch, stones.load);
       }
     }
+#pragma omp for schedule(static) nowait
+    for (std::int64_t chunk = 0; chunk < tallies_.chunks(); ++chunk)
+      tallies_.template add_up<Law::breaks>(chunk, stones.load);
     if constexpr (check) {
 #pragma omp critical
       found.merge(extremes);
@@ -147,38 +127,28 @@ Extremes PairContacts<Law>::evaluate_blocks(const ParticleStore& stones, double 
 }
 
 template <ContactLaw Law>
-auto PairContacts<Law>::couple_of(const ParticleStore& stones, std::int64_t slot) const
-    -> Couple<double> {
-  const std::int32_t i = first_[slot], j = second_[slot];
-  const double stone_i = stones.radius[i], stone_j = stones.radius[j];
-  const double radius_i = stones.outer_radius(i), radius_j = stones.outer_radius(j);
-  const double mass_i = stones.mass[i], mass_j = stones.mass[j];
-  return {radius_i, radius_j, radius_i * radius_j / (radius_i + radius_j),
-          stone_i * stone_j / (stone_i + stone_j),
-          stones.inertia_scale * mass_i * mass_j / (mass_i + mass_j)};
-}
-
-template <ContactLaw Law>
 void PairContacts<Law>::couple(const ParticleStore& stones) {
-  couples_.assign(first_.size() / lanes, Couple<Pack>{});
-  for (std::int64_t s = 0; s < slots_; ++s) {
-    const Couple<double> of = couple_of(stones, s);
-    Couple<Pack>& to = couples_[s / lanes];
-    const int k = s % lanes;
-    set_lane(to.radius_i, k, of.radius_i);
-    set_lane(to.radius_j, k, of.radius_j);
-    set_lane(to.outer_radius, k, of.outer_radius);
-    set_lane(to.stone_radius, k, of.stone_radius);
-    set_lane(to.mass, k, of.mass);
+  couples_.resize(first_.size() / lanes);
+#pragma omp parallel for schedule(static) if (tallies_.blocks() > 1)
+  for (std::int64_t b = 0; b < std::ssize(couples_); ++b) {
+    Couple<Pack> block = {};
+    for (int k = 0; k < lanes && lanes * b + k < slots_; ++k) {
+      const Couple<double> of = couple_of(stones, first_[lanes * b + k], second_[lanes * b + k]);
+      set_lane(block.radius_i, k, of.radius_i);
+      set_lane(block.radius_j, k, of.radius_j);
+      set_lane(block.outer_radius, k, of.outer_radius);
+      set_lane(block.stone_radius, k, of.stone_radius);
+      set_lane(block.mass, k, of.mass);
+    }
+    couples_[b] = block;
   }
 }
 
 template <ContactLaw Law>
 template <class T>
-auto PairContacts<Law>::couple_at(const ParticleStore& stones, std::int64_t slot) const
-    -> Couple<T> {
+Couple<T> PairContacts<Law>::couple_at(const ParticleStore& stones, std::int64_t slot) const {
   if constexpr (width<T> == 1)
-    return couple_of(stones, slot);
+    return couple_of(stones, first_[slot], second_[slot]);
   else
     return couples_[slot / lanes];
 }
@@ -186,8 +156,7 @@ auto PairContacts<Law>::couple_at(const ParticleStore& stones, std::int64_t slot
 // Two stones as the last step left them.
 template <ContactLaw Law>
 template <class T>
-auto PairContacts<Law>::passing_at(const ParticleStore& stones, std::int64_t slot) const
-    -> Passing<T> {
+Passing<T> PairContacts<Law>::passing_at(const ParticleStore& stones, std::int64_t slot) const {
   const std::int32_t* i = &first_[slot];
   const std::int32_t* j = &second_[slot];
   return {gather_difference<T>(stones.position, i, j), gather_difference<T>(stones.velocity, i, j),
@@ -200,38 +169,6 @@ T PairContacts<Law>::softness_at(const ParticleStore& stones, std::int64_t slot)
   if constexpr (!Law::breaks) return T(1.0);
   return T(0.5) * (gather<T>(stones.softness.data(), &first_[slot], 1) +
                    gather<T>(stones.softness.data(), &second_[slot], 1));
-}
-
-// All of a contact but its softness.
-template <ContactLaw Law>
-template <class T>
-auto PairContacts<Law>::meet(const Couple<T>& couple, const Passing<T>& passing, double dt)
-    -> Meeting<T> {
-  const auto& [apart, rate, spin_i, spin_j] = passing;
-  const T square = larger(dot(apart, apart), T(1e-300));
-  const T inverse = reciprocal_root(square);
-
-  Meeting<T> pair;
-  Contact<T>& contact = pair.contact;
-  contact.overlap = couple.radius_i + couple.radius_j - square * inverse;
-  contact.outer_radius = couple.outer_radius;
-  contact.stone_radius = couple.stone_radius;
-  contact.mass = couple.mass;
-  contact.normal = apart * inverse;
-  const Vec3<T>& normal = contact.normal;
-  contact.closing = -dot(rate, normal);
-  pair.arm_i = couple.radius_i - T(0.5) * contact.overlap;
-  pair.arm_j = couple.radius_j - T(0.5) * contact.overlap;
-  const Vec3<T> swing = cross(normal, rate) * inverse;  // angular velocity of the normal
-  const Vec3<T> rolling = pair.arm_i * spin_i + pair.arm_j * spin_j;
-  // Velocities are of the middle of the step: so is the normal that spins are taken about, as much
-  // of it as lies in the contact plane.
-  contact.sliding = (rate + normal * contact.closing - cross(rolling, normal) +
-                     swing * (T(0.5 * dt) * dot(rolling, normal))) *
-                    T(dt);
-  contact.turn = (swing + normal * (T(0.5) * dot(spin_i + spin_j, normal))) * T(dt);
-  contact.horizon = T(0.0);
-  return pair;
 }
 
 template <ContactLaw Law>
@@ -262,10 +199,10 @@ template <class T, bool check>
 
   if constexpr (check) {
     const std::int32_t *i = &first_[slot], *j = &second_[slot];
-    const T lighter = smaller(gather<T>(stones.mass.data(), i, 1),
-                              gather<T>(stones.mass.data(), j, 1));
-    const T thinner = smaller(gather<T>(stones.radius.data(), i, 1),
-                              gather<T>(stones.radius.data(), j, 1));
+    const T lighter =
+        smaller(gather<T>(stones.mass.data(), i, 1), gather<T>(stones.mass.data(), j, 1));
+    const T thinner =
+        smaller(gather<T>(stones.radius.data(), i, 1), gather<T>(stones.radius.data(), j, 1));
     const T deep = (contact.overlap - T(2.0 * stones.shell)) / thinner;
     extremes.look(slot, response.stiffness / (T(stones.inertia_scale) * lighter),
                   select(alive, deep, zero));
@@ -278,7 +215,8 @@ std::vector<SlotForce> PairContacts<Law>::forces(const ParticleStore& stones) co
   still.set_time_step(0);
   std::vector<SlotForce> forces(slots_, SlotForce{});
   for (std::int64_t s = 0; s < slots_; ++s) {
-    Contact<double> contact = meet(couple_of(stones, s), passing_at<double>(stones, s), 0).contact;
+    Contact<double> contact =
+        meet(couple_at<double>(stones, s), passing_at<double>(stones, s), 0).contact;
     contact.softness = softness_at<double>(stones, s);
     auto memory = history.slot(s);
     if (contact.overlap <= 0 && !Law::template holds<double>(memory)) continue;
@@ -289,6 +227,12 @@ std::vector<SlotForce> PairContacts<Law>::forces(const ParticleStore& stones) co
       forces[s].crush = response.stone / (contact.stone_radius * contact.stone_radius);
   }
   return forces;
+}
+
+template <ContactLaw Law>
+std::size_t PairContacts<Law>::bytes() const {
+  return tallies_.bytes() + history.raw().size_bytes() + couples_.size() * sizeof(Couple<Pack>) +
+         (first_.size() + second_.size()) * sizeof(std::int32_t);
 }
 
 template <ContactLaw Law>

@@ -1,7 +1,6 @@
 // Between records, one stone or contact after the other, and packs, one number of eight of them.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -15,12 +14,10 @@ namespace dem {
 // Lanes 0 to 2 and 4 to 6 of a register: a vector each.
 using TwoVectors = __m512d;
 
-// Takes over x, y, z of vectors 0 and 4, 1 and 5, 2 and 6, 3 and 7.
-inline Vec3<Pack> lined_up(const std::array<TwoVectors, 4>& two) {
-  const __m512d xz_ab = _mm512_unpacklo_pd(two[0], two[1]);
-  const __m512d xz_cd = _mm512_unpacklo_pd(two[2], two[3]);
-  const __m512d y_ab = _mm512_unpackhi_pd(two[0], two[1]);
-  const __m512d y_cd = _mm512_unpackhi_pd(two[2], two[3]);
+// Of vectors 0 and 4, 1 and 5, 2 and 6, 3 and 7.
+inline Vec3<Pack> lined_up(TwoVectors a, TwoVectors b, TwoVectors c, TwoVectors d) {
+  const __m512d xz_ab = _mm512_unpacklo_pd(a, b), xz_cd = _mm512_unpacklo_pd(c, d);
+  const __m512d y_ab = _mm512_unpackhi_pd(a, b), y_cd = _mm512_unpackhi_pd(c, d);
   const __m512i first = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13);
   const __m512i second = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
   return {Pack((Pack::Lanes)_mm512_permutex2var_pd(xz_ab, first, xz_cd)),
@@ -42,7 +39,7 @@ Vec3<T> gather(const std::vector<Vec3d>& vectors, const std::int32_t* index) {
     const auto two = [&](int k) {
       return two_vectors(&vectors[index[k]].x, &vectors[index[k + 4]].x);
     };
-    return lined_up({two(0), two(1), two(2), two(3)});
+    return lined_up(two(0), two(1), two(2), two(3));
   }
 #endif
   const double* base = &vectors.front().x;
@@ -59,7 +56,7 @@ Vec3<T> gather_difference(const std::vector<Vec3d>& vectors, const std::int32_t*
       return two_vectors(&vectors[i[k]].x, &vectors[i[k + 4]].x) -
              two_vectors(&vectors[j[k]].x, &vectors[j[k + 4]].x);
     };
-    return lined_up({two(0), two(1), two(2), two(3)});
+    return lined_up(two(0), two(1), two(2), two(3));
   }
 #endif
   return gather<T>(vectors, i) - gather<T>(vectors, j);
@@ -88,9 +85,12 @@ inline void quads(const Vec3<Pack>& v, Pack fourth, Quad* to) {
   _mm512_store_pd(at + 16, _mm512_permutex2var_pd(xy_even, second, zw_even));
   _mm512_store_pd(at + 24, _mm512_permutex2var_pd(xy_odd, second, zw_odd));
 #else
-  for (int k = 0; k < lanes; ++k)
-    to[quad_place(k)] = Quad{v.x[k], v.y[k], v.z[k], fourth[k]};
+  for (int k = 0; k < lanes; ++k) to[quad_place(k)] = Quad{v.x[k], v.y[k], v.z[k], fourth[k]};
 #endif
+}
+
+inline void quads(const Vec3d& v, double fourth, Quad* to) {
+  *to = Quad{v.x, v.y, v.z, fourth};
 }
 
 inline Quad load_quad(const double* from) {
