@@ -28,9 +28,9 @@ inline double seconds_since(std::chrono::steady_clock::time_point start) {
 template <class Law>
 class Stages {
  public:
-  enum Stage { motion, lists, pairs, loads, wall_contacts, fracture, stage_count };
-  static constexpr std::array<const char*, stage_count> names = {
-      "motion", "lists", "pair contacts", "loads", "wall contacts", "fracture"};
+  enum Stage { motion, lists, pairs, wall_contacts, fracture, stage_count };
+  static constexpr std::array<const char*, stage_count> names = {"motion", "lists", "pair contacts",
+                                                                 "wall contacts", "fracture"};
 
   Stages(Bed<Law> bed, double skin) : bed_(std::move(bed)), skin_(skin) {
     bed_.pair_law.set_time_step(bed_time_step);
@@ -41,6 +41,7 @@ class Stages {
     constexpr double cell = 4e-3;  // near the diameter of a stone [m]
     dem::reorder(bed_.stones, dem::spatial_order(bed_.stones.position, cell));
     make_lists();
+    dem::weigh(bed_.stones, bed_gravity);
   }
 
   void step() {
@@ -48,11 +49,11 @@ class Stages {
         ++steps_ % dem::check_interval == 0 ? dem::check_interval * bed_time_step : 0;
     dem::Travel travel;
     timed(motion, [&] {
-      travel = dem::advance_stones(bed_.stones, {bed_time_step, bed_time_step}, 0, reference_);
+      travel = dem::advance_stones(bed_.stones, {bed_time_step, bed_time_step}, 0, bed_gravity,
+                                   reference_);
     });
-    if (2 * travel.farthest > skin_) timed(lists, [&] { make_lists(); });
+    if (travel.closing() > skin_) timed(lists, [&] { make_lists(); });
     timed(pairs, [&] { pairs_.evaluate(bed_.stones, bed_time_step, horizon); });
-    timed(loads, [&] { pairs_.tallies.add_up(bed_.stones, bed_gravity, Law::breaks); });
     timed(wall_contacts, [&] {
       for (std::size_t w = 0; w < bed_.walls.size(); ++w)
         at_walls_[w].evaluate(bed_.stones, bed_.walls[w], bed_time_step, horizon);
@@ -76,9 +77,7 @@ class Stages {
   double bytes_per_slot() const {
     const double lists = list_.first.size() * 3.0 * sizeof(std::uint32_t) +  // and previous
                          list_.candidates.second.size() * sizeof(std::uint32_t);
-    const double taken = pairs_.slots() * 2.0 * sizeof(std::int32_t);
-    return (lists + taken + pairs_.history.raw().size_bytes() + pairs_.tallies.bytes()) /
-           static_cast<double>(pairs_.slots());
+    return (lists + pairs_.bytes()) / static_cast<double>(pairs_.slots());
   }
 
   // Of a stone, everything included [B].
@@ -89,7 +88,7 @@ class Stages {
     const double vectors = 4.0 * stones.size();  // three of the store, and the reference
     const double rows = 3.0 * stones.size() * sizeof(std::uint32_t);  // id and two row starts
     return (numbers * sizeof(double) + vectors * sizeof(dem::Vec3d) + rows +
-            stones.load.size() * sizeof(dem::Load) +
+            stones.size() * sizeof(dem::Load) +
             bytes_per_slot() * static_cast<double>(pairs_.slots())) /
            static_cast<double>(stones.size());
   }
@@ -103,11 +102,11 @@ class Stages {
   }
 
   void make_lists() {
-    const dem::ParticleStore& stones = bed_.stones;
+    dem::ParticleStore& stones = bed_.stones;
     std::vector<double> radius(stones.size());
     for (std::size_t k = 0; k < radius.size(); ++k) radius[k] = stones.outer_radius(k);
     list_.build({stones.position, radius, stones.id}, skin_);
-    pairs_.take(list_);
+    pairs_.take(list_, bed_.stones);
     for (std::size_t w = 0; w < bed_.walls.size(); ++w)
       at_walls_[w].find(stones, bed_.walls[w], skin_, {});
     reference_ = stones.position;

@@ -44,8 +44,7 @@ T overlap_ahead(const Contact<T>& contact) {
 // in the rotation angle, then cleared of what left the plane.
 template <class T>
 Vec3<T> carried(const Vec3<T>& v, const Contact<T>& contact) {
-  const Vec3<T> arc = cross(contact.turn, v);
-  const Vec3<T> turned = v + arc + T(0.5) * cross(contact.turn, arc);
+  const Vec3<T> turned = v + cross(contact.turn, v + T(0.5) * cross(contact.turn, v));
   return turned - contact.normal * dot(contact.normal, turned);
 }
 

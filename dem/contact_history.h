@@ -2,6 +2,7 @@
 // [m][k] of block b, so that a pack of contacts reads its memory in straight lines.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -42,10 +43,14 @@ class ContactHistory {
   // The memories of a rebuilt list: new slot s takes over those of old slot previous[s], -1 for
   // none.
   void carry(std::span<const std::int32_t> previous) {
-    ContactHistory old = std::move(*this);
+    const ContactHistory old = std::move(*this);
     resize(previous.size());
-    for (std::size_t s = 0; s < previous.size(); ++s)
-      if (previous[s] >= 0) set(s, old.slot(previous[s]));
+    const std::int64_t slots = std::ssize(previous);
+    constexpr std::int64_t few = 1024;  // not worth a second thread
+#pragma omp parallel for schedule(static) if (slots > few)
+    for (std::int64_t begin = 0; begin < slots; begin += lanes)
+      for (std::int64_t s = begin; s < std::min(slots, begin + lanes); ++s)
+        if (previous[s] >= 0) set(s, old.slot(previous[s]));
   }
 
   // Everything, as plain numbers, for a checkpoint.

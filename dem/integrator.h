@@ -10,13 +10,20 @@
 namespace dem {
 
 struct Travel {
-  double farthest;  // largest distance of a stone from its reference position [m]
-  bool finite;      // false: some position or velocity is not a number
+  double farthest = 0;  // largest distance of a stone from its reference position [m]
+  double next = 0;      // and that of the stone after it [m]
+  bool finite = true;   // false: some position or velocity is not a number
+
+  // How much closer two stones can have come [m].
+  double closing() const { return farthest + next; }
 };
 
-// Advances velocity, spin and position. drag: rate at which motion dies out besides the
-// contact forces [1/s], to settle a bed. Writes position, velocity, spin.
-Travel advance_stones(ParticleStore& stones, Steps steps, double drag,
+// Sets the stones' loads to their weight; gravity [m/s2], downwards along z.
+void weigh(ParticleStore& stones, double gravity);
+
+// Advances velocity, spin and position, and leaves the weight as load. drag: rate at which motion
+// dies out besides the contact forces [1/s], to settle a bed.
+Travel advance_stones(ParticleStore& stones, Steps steps, double drag, double gravity,
                       std::span<const Vec3d> reference);
 
 }  // namespace dem

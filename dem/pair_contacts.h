@@ -1,4 +1,4 @@
-// The contact stage: forces of all slots of the neighbour list, added up by stone.
+// The contact stage: forces of all slots of the neighbour list, added to the stones' loads.
 //
 // Every slot is evaluated by the same text, eight at a time (T = Pack) or one at a time (T =
 // double, the slow and obvious reference).
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "dem/contact_history.h"
+#include "dem/meeting.h"
 #include "dem/neighbor_list.h"
 #include "dem/particle_store.h"
 #include "dem/records.h"
@@ -27,10 +28,9 @@ class PairContacts {
  public:
   Law law;
   ContactHistory<Law> history;
-  Tallies tallies;  // of the stones' loads, written by evaluate()
 
   // Takes over a rebuilt list, old memories included.
-  void take(const NeighborList& list) {
+  void take(const NeighborList& list, ParticleStore& stones) {
     const std::size_t slots = list.first.size();
     const std::size_t padded = (slots + lanes - 1) / lanes * lanes;
     history.carry(list.previous);
@@ -38,14 +38,15 @@ class PairContacts {
     second_.assign(padded, 0);
     std::copy(list.first.begin(), list.first.end(), first_.begin());
     std::copy(list.second.begin(), list.second.end(), second_.begin());
-    tallies.take(first_, second_, list.row_start.size() - 1);
+    tallies_.take(first_, second_, stones);
     slots_ = static_cast<std::int64_t>(slots);
+    couple(stones);
   }
 
-  // Forces of all contacts after a step of dt [s], 0 before the first; with a horizon above 0 [s],
-  // the extreme contacts until then too.
+  // Adds the forces of all contacts after a step of dt [s], 0 before the first, to the stones'
+  // loads; with a horizon above 0 [s], finds the extreme contacts until then too.
   template <class T = Pack>
-  Extremes evaluate(const ParticleStore& stones, double dt, double horizon = 0) {
+  Extremes evaluate(ParticleStore& stones, double dt, double horizon = 0) {
     return horizon > 0 ? evaluate_blocks<T, true>(stones, dt, horizon)
                        : evaluate_blocks<T, false>(stones, dt, 0);
   }
@@ -54,128 +55,134 @@ class PairContacts {
   std::vector<SlotForce> forces(const ParticleStore& stones) const;
 
   std::int64_t slots() const { return slots_; }
+  std::size_t bytes() const;                                           // of all arrays
   bool touches(const ParticleStore& stones, std::int64_t slot) const;  // outer surfaces overlap
   std::int64_t touching(const ParticleStore& stones) const;
   std::int64_t held() const;  // slots whose contact would outlive a gap: bonds
   std::int32_t first(std::int64_t slot) const { return first_[slot]; }
   std::int32_t second(std::int64_t slot) const { return second_[slot]; }
 
-  // See dem/state.h. The tallies, emptied in every step, are laid out again.
+  // See dem/state.h. What follows from the rest is made again.
   template <class Visit>
-  void visit_state(Visit& visit, const std::string& in, std::size_t stones) {
+  void visit_state(Visit& visit, const std::string& in, ParticleStore& stones) {
     history.visit_state(visit, in);
     visit(in + "first", first_);
     visit(in + "second", second_);
     visit(in + "slots", slots_);
-    tallies.take(first_, second_, stones);
+    tallies_.take(first_, second_, stones);
+    couple(stones);
   }
 
  private:
-  template <class T>
-  struct Meeting {
-    Contact<T> contact;
-    T arm_i, arm_j;      // from the centres to the middle of the overlap [m]
-    T lighter, smaller;  // true mass [kg] and radius of the bare stone [m]
-  };
-
+  void couple(const ParticleStore& stones);
   template <class T, bool check>
-  Extremes evaluate_blocks(const ParticleStore& stones, double dt, double horizon);
+  Extremes evaluate_blocks(ParticleStore& stones, double dt, double horizon);
   template <class T, bool check>
-  void evaluate_at(const ParticleStore& stones, double dt, double horizon, std::int64_t slot,
-                   Tallies::Batch& batch, int in_batch, LaneExtremes<T>& extremes);
+  void evaluate_at(const Law& law, const ParticleStore& stones, double dt, double horizon,
+                   std::int64_t slot, Tallies::Batch& batch, int in_batch,
+                   LaneExtremes<T>& extremes);
   template <class T>
-  Meeting<T> meet(const ParticleStore& stones, double dt, std::int64_t slot) const;
+  Couple<T> couple_at(const ParticleStore& stones, std::int64_t slot) const;
+  template <class T>
+  Passing<T> passing_at(const ParticleStore& stones, std::int64_t slot) const;
+  template <class T>
+  T softness_at(const ParticleStore& stones, std::int64_t slot) const;
 
   std::vector<std::int32_t> first_, second_;
+  Tallies tallies_;
+  std::vector<Couple<Pack>> couples_;  // by block of slots
   std::int64_t slots_ = 0;
 };
 
 template <ContactLaw Law>
 template <class T, bool check>
-Extremes PairContacts<Law>::evaluate_blocks(const ParticleStore& stones, double dt,
-                                            double horizon) {
+Extremes PairContacts<Law>::evaluate_blocks(ParticleStore& stones, double dt, double horizon) {
   Extremes found;
-#pragma omp parallel if (tallies.blocks() > 1)
+#pragma omp parallel if (tallies_.blocks() > 1)
   {
-    LaneExtremes<T> mine;
+    const Law mine = law;  // not changed by what the loop writes, as the compiler can see
+    LaneExtremes<T> extremes;
     Tallies::Batch batch;
-#pragma omp for schedule(static) nowait
-    for (std::int64_t block = 0; block < tallies.blocks(); ++block) {
-      tallies.clear(block);
+#pragma omp for schedule(static)
+    for (std::int64_t block = 0; block < tallies_.blocks(); ++block) {
       const std::int64_t begin = block * Tallies::slots_per_block;
       const std::int64_t end = std::min(slots_, begin + Tallies::slots_per_block);
       for (std::int64_t s = begin; s < end; s += Tallies::Batch::slots) {
         const int count = static_cast<int>(std::min<std::int64_t>(end - s, Tallies::Batch::slots));
         for (int k = 0; k < count; k += width<T>)
-          evaluate_at<T, check>(stones, dt, horizon, s + k, batch, k, mine);
-        tallies.template add<Law::breaks>(s, count, batch);
+          evaluate_at<T, check>(mine, stones, dt, horizon, s + k, batch, k, extremes);
+        batch.end(count);
+        tallies_.template add<Law::breaks>(s, count, batch, stones.load);
       }
     }
+#pragma omp for schedule(static) nowait
+    for (std::int64_t chunk = 0; chunk < tallies_.chunks(); ++chunk)
+      tallies_.template add_up<Law::breaks>(chunk, stones.load);
     if constexpr (check) {
 #pragma omp critical
-      found.merge(mine);
+      found.merge(extremes);
     }
   }
   return found;
 }
 
-// Two stones at the places and with the velocities that the last step left.
+template <ContactLaw Law>
+void PairContacts<Law>::couple(const ParticleStore& stones) {
+  couples_.resize(first_.size() / lanes);
+#pragma omp parallel for schedule(static) if (tallies_.blocks() > 1)
+  for (std::int64_t b = 0; b < std::ssize(couples_); ++b) {
+    Couple<Pack> block = {};
+    for (int k = 0; k < lanes && lanes * b + k < slots_; ++k) {
+      const Couple<double> of = couple_of(stones, first_[lanes * b + k], second_[lanes * b + k]);
+      set_lane(block.radius_i, k, of.radius_i);
+      set_lane(block.radius_j, k, of.radius_j);
+      set_lane(block.outer_radius, k, of.outer_radius);
+      set_lane(block.stone_radius, k, of.stone_radius);
+      set_lane(block.mass, k, of.mass);
+    }
+    couples_[b] = block;
+  }
+}
+
 template <ContactLaw Law>
 template <class T>
-auto PairContacts<Law>::meet(const ParticleStore& stones, double dt, std::int64_t slot) const
-    -> Meeting<T> {
+Couple<T> PairContacts<Law>::couple_at(const ParticleStore& stones, std::int64_t slot) const {
+  if constexpr (width<T> == 1)
+    return couple_of(stones, first_[slot], second_[slot]);
+  else
+    return couples_[slot / lanes];
+}
+
+// Two stones as the last step left them.
+template <ContactLaw Law>
+template <class T>
+Passing<T> PairContacts<Law>::passing_at(const ParticleStore& stones, std::int64_t slot) const {
   const std::int32_t* i = &first_[slot];
   const std::int32_t* j = &second_[slot];
-  const Vec3<T> apart = gather<T>(stones.position, i) - gather<T>(stones.position, j);
-  const Vec3<T> rate = gather<T>(stones.velocity, i) - gather<T>(stones.velocity, j);
-  const Vec3<T> spin_i = gather<T>(stones.spin, i), spin_j = gather<T>(stones.spin, j);
-  const T stone_i = gather<T>(stones.radius.data(), i, 1);
-  const T stone_j = gather<T>(stones.radius.data(), j, 1);
-  const T mass_i = gather<T>(stones.mass.data(), i, 1);
-  const T mass_j = gather<T>(stones.mass.data(), j, 1);
-  const T radius_i = stone_i + T(stones.shell), radius_j = stone_j + T(stones.shell);
-  const T square = larger(dot(apart, apart), T(1e-300));
-  const T inverse = reciprocal_root(square);
+  return {gather_difference<T>(stones.position, i, j), gather_difference<T>(stones.velocity, i, j),
+          gather<T>(stones.spin, i), gather<T>(stones.spin, j)};
+}
 
-  Meeting<T> pair;
-  Contact<T>& contact = pair.contact;
-  contact.overlap = radius_i + radius_j - square * inverse;
-  contact.outer_radius = radius_i * radius_j / (radius_i + radius_j);
-  contact.stone_radius = stone_i * stone_j / (stone_i + stone_j);
-  contact.mass = T(stones.inertia_scale) * mass_i * mass_j / (mass_i + mass_j);
-  contact.softness = T(1.0);
-  if constexpr (Law::breaks)
-    contact.softness = T(0.5) * (gather<T>(stones.softness.data(), i, 1) +
-                                 gather<T>(stones.softness.data(), j, 1));
-  contact.normal = apart * inverse;
-  const Vec3<T>& normal = contact.normal;
-  contact.closing = -dot(rate, normal);
-  pair.arm_i = radius_i - T(0.5) * contact.overlap;
-  pair.arm_j = radius_j - T(0.5) * contact.overlap;
-  // Velocities are of the middle of the step: so is the normal that spins are taken about.
-  const Vec3<T> middle = normal - (rate + normal * contact.closing) * (T(0.5 * dt) * inverse);
-  const Vec3<T> surface = rate - cross(pair.arm_i * spin_i + pair.arm_j * spin_j, middle);
-  contact.sliding = (surface - normal * dot(surface, normal)) * T(dt);
-  contact.turn =
-      (cross(normal, rate) * inverse + normal * (T(0.5) * dot(spin_i + spin_j, normal))) * T(dt);
-  contact.horizon = T(0.0);
-  pair.lighter = smaller(mass_i, mass_j);
-  pair.smaller = smaller(stone_i, stone_j);
-  return pair;
+template <ContactLaw Law>
+template <class T>
+T PairContacts<Law>::softness_at(const ParticleStore& stones, std::int64_t slot) const {
+  if constexpr (!Law::breaks) return T(1.0);
+  return T(0.5) * (gather<T>(stones.softness.data(), &first_[slot], 1) +
+                   gather<T>(stones.softness.data(), &second_[slot], 1));
 }
 
 template <ContactLaw Law>
 template <class T, bool check>
-[[gnu::flatten]] void PairContacts<Law>::evaluate_at(const ParticleStore& stones, double dt,
-                                                     double horizon, std::int64_t slot,
+[[gnu::flatten]] void PairContacts<Law>::evaluate_at(const Law& law, const ParticleStore& stones,
+                                                     double dt, double horizon, std::int64_t slot,
                                                      Tallies::Batch& batch, int in_batch,
                                                      LaneExtremes<T>& extremes) {
   MemoryOf<Law, T> memory(history, slot);
-  Meeting<T> pair = meet<T>(stones, dt, slot);
+  Meeting<T> pair = meet<T>(couple_at<T>(stones, slot), passing_at<T>(stones, slot), dt);
   Contact<T>& contact = pair.contact;
-  const auto listed = lanes_below<T>(slots_ - slot);
-  const auto alive = listed & ((contact.overlap > T(0.0)) | Law::template holds<T>(memory.value));
+  contact.softness = softness_at<T>(stones, slot);
   if constexpr (check) contact.horizon = T(horizon);
+  const auto alive = (contact.overlap > T(0.0)) | Law::template holds<T>(memory.value);
 
   const Response<T> response = law(contact, memory.value);
   forget<T>(!alive, memory.value);
@@ -188,13 +195,16 @@ template <class T, bool check>
   T crush = zero;
   if constexpr (Law::breaks)
     crush = select(alive, response.stone / (contact.stone_radius * contact.stone_radius), zero);
-  batch.put<T>(in_batch, {force, zero, moment * pair.arm_i, crush},
-               {-force, zero, moment * pair.arm_j, crush});
+  batch.put<T>(in_batch, force, moment * pair.arm_i, moment * pair.arm_j, crush);
 
   if constexpr (check) {
-    const T inertia = T(stones.inertia_scale) * pair.lighter;
-    const T deep = (contact.overlap - T(2.0 * stones.shell)) / pair.smaller;
-    extremes.look(slot, select(listed, response.stiffness / inertia, zero),
+    const std::int32_t *i = &first_[slot], *j = &second_[slot];
+    const T lighter =
+        smaller(gather<T>(stones.mass.data(), i, 1), gather<T>(stones.mass.data(), j, 1));
+    const T thinner =
+        smaller(gather<T>(stones.radius.data(), i, 1), gather<T>(stones.radius.data(), j, 1));
+    const T deep = (contact.overlap - T(2.0 * stones.shell)) / thinner;
+    extremes.look(slot, response.stiffness / (T(stones.inertia_scale) * lighter),
                   select(alive, deep, zero));
   }
 }
@@ -205,7 +215,9 @@ std::vector<SlotForce> PairContacts<Law>::forces(const ParticleStore& stones) co
   still.set_time_step(0);
   std::vector<SlotForce> forces(slots_, SlotForce{});
   for (std::int64_t s = 0; s < slots_; ++s) {
-    const Contact<double> contact = meet<double>(stones, 0, s).contact;
+    Contact<double> contact =
+        meet(couple_at<double>(stones, s), passing_at<double>(stones, s), 0).contact;
+    contact.softness = softness_at<double>(stones, s);
     auto memory = history.slot(s);
     if (contact.overlap <= 0 && !Law::template holds<double>(memory)) continue;
     const Response<double> response = still(contact, memory);
@@ -215,6 +227,12 @@ std::vector<SlotForce> PairContacts<Law>::forces(const ParticleStore& stones) co
       forces[s].crush = response.stone / (contact.stone_radius * contact.stone_radius);
   }
   return forces;
+}
+
+template <ContactLaw Law>
+std::size_t PairContacts<Law>::bytes() const {
+  return tallies_.bytes() + history.raw().size_bytes() + couples_.size() * sizeof(Couple<Pack>) +
+         (first_.size() + second_.size()) * sizeof(std::int32_t);
 }
 
 template <ContactLaw Law>

@@ -34,7 +34,8 @@ struct ParticleStore {
   std::vector<Vec3d> velocity;  // [m/s]
   std::vector<Vec3d> spin;      // angular velocity [rad/s]
 
-  // Written by the gather stage, then added to by the wall stage.
+  // Set to the weight by the integrator, added to by the pair and the wall stage. Behind those of
+  // the stones are parts of the pair stage (see tallies.h), empty between steps.
   std::vector<Load> load;
 
   // Written by the fracture stage; empty when stones do not break.

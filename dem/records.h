@@ -1,7 +1,6 @@
 // Between records, one stone or contact after the other, and packs, one number of eight of them.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -11,80 +10,105 @@
 
 namespace dem {
 
+#if defined(__AVX512F__)
+// Lanes 0 to 2 and 4 to 6 of a register: a vector each.
+using TwoVectors = __m512d;
+
+// Of vectors 0 and 4, 1 and 5, 2 and 6, 3 and 7.
+inline Vec3<Pack> lined_up(TwoVectors a, TwoVectors b, TwoVectors c, TwoVectors d) {
+  const __m512d xz_ab = _mm512_unpacklo_pd(a, b), xz_cd = _mm512_unpacklo_pd(c, d);
+  const __m512d y_ab = _mm512_unpackhi_pd(a, b), y_cd = _mm512_unpackhi_pd(c, d);
+  const __m512i first = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13);
+  const __m512i second = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
+  return {Pack((Pack::Lanes)_mm512_permutex2var_pd(xz_ab, first, xz_cd)),
+          Pack((Pack::Lanes)_mm512_permutex2var_pd(y_ab, first, y_cd)),
+          Pack((Pack::Lanes)_mm512_permutex2var_pd(xz_ab, second, xz_cd))};
+}
+
+// A load that a mask ends touches nothing behind the mask.
+inline TwoVectors two_vectors(const double* low, const double* high) {
+  return _mm512_mask_loadu_pd(_mm512_maskz_loadu_pd(0x07, low), 0x70, high - 4);
+}
+#endif
+
 // Lane k takes vectors[index[k]].
 template <class T>
 Vec3<T> gather(const std::vector<Vec3d>& vectors, const std::int32_t* index) {
 #if defined(__AVX512F__)
   if constexpr (width<T> == lanes) {
-    // Vector k below, vector k + 4 above; a load that a mask ends touches nothing behind the mask.
     const auto two = [&](int k) {
-      const __m512d low = _mm512_maskz_loadu_pd(0x07, &vectors[index[k]].x);
-      return _mm512_mask_loadu_pd(low, 0x70, &vectors[index[k + 4]].x - 4);
+      return two_vectors(&vectors[index[k]].x, &vectors[index[k + 4]].x);
     };
-    const __m512d a = two(0), b = two(1), c = two(2), d = two(3);
-    const __m512d xz_ab = _mm512_unpacklo_pd(a, b), xz_cd = _mm512_unpacklo_pd(c, d);
-    const __m512d y_ab = _mm512_unpackhi_pd(a, b), y_cd = _mm512_unpackhi_pd(c, d);
-    const __m512i first = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13);
-    const __m512i second = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
-    return {Pack((Pack::Lanes)_mm512_permutex2var_pd(xz_ab, first, xz_cd)),
-            Pack((Pack::Lanes)_mm512_permutex2var_pd(y_ab, first, y_cd)),
-            Pack((Pack::Lanes)_mm512_permutex2var_pd(xz_ab, second, xz_cd))};
+    return lined_up(two(0), two(1), two(2), two(3));
   }
 #endif
   const double* base = &vectors.front().x;
   return {gather<T>(base, index, 3), gather<T>(base + 1, index, 3), gather<T>(base + 2, index, 3)};
 }
 
-// Records k, made of lane k of each number.
-inline std::array<Pack, 8> transposed(const std::array<Pack, 8>& number) {
-#if defined(__AVX512F__)
-  const auto row = [&](int n) { return (__m512d)number[n].value; };
-  // Pairs of numbers, then fours, then all eight.
-  __m512d pair[8], four[8];
-  std::array<Pack, 8> record;
-  for (int n = 0; n < 4; ++n) {
-    pair[n] = _mm512_unpacklo_pd(row(2 * n), row(2 * n + 1));      // of records 0, 2, 4, 6
-    pair[4 + n] = _mm512_unpackhi_pd(row(2 * n), row(2 * n + 1));  // of records 1, 3, 5, 7
-  }
-  for (int odd = 0; odd < 2; ++odd)
-    for (int half = 0; half < 2; ++half) {
-      const __m512d low = pair[4 * odd + 2 * half], high = pair[4 * odd + 2 * half + 1];
-      four[4 * odd + half] = _mm512_shuffle_f64x2(low, high, 0x88);      // records 0, 4 (1, 5)
-      four[4 * odd + 2 + half] = _mm512_shuffle_f64x2(low, high, 0xdd);  // records 2, 6 (3, 7)
-    }
-  for (int odd = 0; odd < 2; ++odd)
-    for (int late = 0; late < 2; ++late) {
-      const __m512d low = four[4 * odd + 2 * late], high = four[4 * odd + 2 * late + 1];
-      const int k = odd + 2 * late;
-      record[k] = Pack((Pack::Lanes)_mm512_shuffle_f64x2(low, high, 0x88));
-      record[k + 4] = Pack((Pack::Lanes)_mm512_shuffle_f64x2(low, high, 0xdd));
-    }
-#else
-  std::array<Pack, 8> record;
-  for (int k = 0; k < 8; ++k)
-    for (int n = 0; n < 8; ++n) record[k].value[n] = number[n][k];
-#endif
-  return record;
-}
-
-// The loads of T stones one by one.
+// Lane k takes vectors[i[k]] - vectors[j[k]].
 template <class T>
-std::array<Pack, width<T>> records(const LoadOf<T>& load) {
-  static_assert(sizeof(LoadOf<T>) == 8 * sizeof(T));
-  if constexpr (width<T> == 1)
-    return {dem::load(&load.force.x)};
-  else
-    return transposed({load.force.x, load.force.y, load.force.z, load.spare, load.torque.x,
-                       load.torque.y, load.torque.z, load.crush});
+Vec3<T> gather_difference(const std::vector<Vec3d>& vectors, const std::int32_t* i,
+                          const std::int32_t* j) {
+#if defined(__AVX512F__)
+  if constexpr (width<T> == lanes) {
+    const auto two = [&](int k) {
+      return two_vectors(&vectors[i[k]].x, &vectors[i[k + 4]].x) -
+             two_vectors(&vectors[j[k]].x, &vectors[j[k + 4]].x);
+    };
+    return lined_up(two(0), two(1), two(2), two(3));
+  }
+#endif
+  return gather<T>(vectors, i) - gather<T>(vectors, j);
 }
 
-// Adds a load, one record; of crush, with `breaks`, the larger one stays.
+// Four numbers of one stone or contact: half of a load.
+using Quad [[gnu::vector_size(4 * sizeof(double))]] = double;
+
+// Where quads() puts that of lane k.
+constexpr int quad_place(int k) {
+  return 2 * (k % 4) + k / 4;
+}
+
+// Quads of x, y, z and `fourth`, one for each lane, at the places above.
+inline void quads(const Vec3<Pack>& v, Pack fourth, Quad* to) {
+#if defined(__AVX512F__)
+  const __m512d x = (__m512d)v.x.value, y = (__m512d)v.y.value, z = (__m512d)v.z.value;
+  const __m512d w = (__m512d)fourth.value;
+  const __m512d xy_even = _mm512_unpacklo_pd(x, y), zw_even = _mm512_unpacklo_pd(z, w);
+  const __m512d xy_odd = _mm512_unpackhi_pd(x, y), zw_odd = _mm512_unpackhi_pd(z, w);
+  const __m512i first = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13);
+  const __m512i second = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
+  double* const at = reinterpret_cast<double*>(to);
+  _mm512_store_pd(at, _mm512_permutex2var_pd(xy_even, first, zw_even));
+  _mm512_store_pd(at + 8, _mm512_permutex2var_pd(xy_odd, first, zw_odd));
+  _mm512_store_pd(at + 16, _mm512_permutex2var_pd(xy_even, second, zw_even));
+  _mm512_store_pd(at + 24, _mm512_permutex2var_pd(xy_odd, second, zw_odd));
+#else
+  for (int k = 0; k < lanes; ++k) to[quad_place(k)] = Quad{v.x[k], v.y[k], v.z[k], fourth[k]};
+#endif
+}
+
+inline void quads(const Vec3d& v, double fourth, Quad* to) {
+  *to = Quad{v.x, v.y, v.z, fourth};
+}
+
+inline Quad load_quad(const double* from) {
+  Quad read;
+  __builtin_memcpy(&read, from, sizeof read);
+  return read;
+}
+inline void store_quad(Quad a, double* to) {
+  __builtin_memcpy(to, &a, sizeof a);
+}
+
+// The torques of two parts of a load together, or with `breaks`, of the crush behind them, the
+// larger one.
 template <bool breaks>
-void add_load(const Pack& load, Load& to) {
-  const Pack before = dem::load(&to.force.x);
-  Pack sum = before + load;
-  if constexpr (breaks) sum = select(lanes_below<Pack>(lanes - 1), sum, larger(before, load));
-  store(sum, &to.force.x);
+Quad joined(Quad a, Quad b) {
+  Quad sum = a + b;
+  if constexpr (breaks) sum[3] = larger(a[3], b[3]);
+  return sum;
 }
 
 }  // namespace dem

@@ -105,13 +105,14 @@ void Simulation<Law>::step() {
   if (stale_) {
     refresh_neighbors();
     set_time_step(0);
+    weigh(stones_, settings_.gravity);
     find_forces(0, true);  // no time has passed: nothing has slid or relaxed
     set_time_step(clock_.step());
   }
   const double dt = clock_.step();
   const Steps steps = {last_step_, dt};
   move_walls(steps);
-  const Travel travel = advance_stones(stones_, steps, drag_, reference_);
+  const Travel travel = advance_stones(stones_, steps, drag_, settings_.gravity, reference_);
   last_step_ = dt;
   time_ += dt;
   ++steps_;
@@ -119,7 +120,7 @@ void Simulation<Law>::step() {
 
   double wall_moved = 0;
   for (const Wall& wall : walls_) wall_moved = larger(wall_moved, wall.moved);
-  if (2 * travel.farthest > settings_.skin || travel.farthest + wall_moved > settings_.skin)
+  if (travel.closing() > settings_.skin || travel.farthest + wall_moved > settings_.skin)
     refresh_neighbors();
 
   find_forces(dt, steps_ % check_interval == 0);
@@ -129,7 +130,6 @@ template <ContactLaw Law>
 void Simulation<Law>::find_forces(double dt, bool check) {
   const double horizon = check ? check_interval * clock_.step() : 0;
   const Extremes pair = pairs_.evaluate(stones_, dt, horizon);
-  pairs_.tallies.add_up(stones_, settings_.gravity, Law::breaks);
   std::vector<Extremes> at_walls;
   for (std::size_t w = 0; w < walls_.size(); ++w)
     at_walls.push_back(wall_contacts_[w].evaluate(stones_, walls_[w], dt, horizon));
@@ -179,7 +179,7 @@ void Simulation<Law>::refresh_neighbors() {
     if (gap >= settings_.skin) keep.push_back({i, j});
   }
   list_.build({stones_.position, radius, stones_.id}, settings_.skin, keep, order);
-  pairs_.take(list_);
+  pairs_.take(list_, stones_);
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     wall_contacts_[w].find(stones_, walls_[w], settings_.skin, order);
     walls_[w].moved = 0;
@@ -232,7 +232,7 @@ template <class Visit>
 void Simulation<Law>::visit_state(Visit& visit) {
   dem::visit_state(visit, "stones.", stones_);
   dem::visit_state(visit, "list.", list_);
-  pairs_.visit_state(visit, "pairs.", stones_.size());
+  pairs_.visit_state(visit, "pairs.", stones_);
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     dem::visit_state(visit, walls_[w].name + '.', walls_[w]);
     wall_contacts_[w].visit_state(visit, walls_[w].name + ".contacts.");

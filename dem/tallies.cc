@@ -9,65 +9,42 @@ namespace dem {
 static_assert(Tallies::slots_per_block % lanes == 0);
 
 void Tallies::take(std::span<const std::int32_t> first, std::span<const std::int32_t> second,
-                   std::size_t stones) {
+                   ParticleStore& stones) {
   const std::int64_t slots = std::ssize(first);
+  blocks_ = (slots + slots_per_block - 1) / slots_per_block;
   first_.resize(slots);
   second_.resize(slots);
-  block_start_.assign(1, 0);
-  std::vector<std::uint32_t> stone_of;             // by tally
-  std::vector<std::uint32_t> tally_of(stones);     // by stone, in the newest block that met it
-  std::vector<std::uint32_t> block_of(stones, 0);  // that one, counted from 1
-  for (std::int64_t begin = 0; begin < slots; begin += slots_per_block) {
-    const auto block = static_cast<std::uint32_t>(block_start_.size());
-    const auto tally = [&](std::int32_t stone) {
-      if (block_of[stone] != block) {
-        block_of[stone] = block;
-        tally_of[stone] = static_cast<std::uint32_t>(stone_of.size());
-        stone_of.push_back(static_cast<std::uint32_t>(stone));
+  std::vector<std::uint32_t> stone_of;                    // by part
+  std::vector<std::uint32_t> place_of(stones.size());     // in the newest block that met the stone
+  std::vector<std::uint32_t> block_of(stones.size(), 0);  // that one, counted from 1
+  for (std::uint32_t block = 1; block <= blocks_; ++block) {
+    const auto place = [&](std::uint32_t stone) {
+      if (block_of[stone] == block) return place_of[stone];
+      place_of[stone] = stone;
+      if (block_of[stone] != 0) {
+        place_of[stone] = static_cast<std::uint32_t>(stones.size() + stone_of.size());
+        stone_of.push_back(stone);
       }
-      return tally_of[stone];
+      block_of[stone] = block;
+      return place_of[stone];
     };
+    const std::int64_t begin = (block - 1) * slots_per_block;
     for (std::int64_t s = begin; s < std::min(slots, begin + slots_per_block); ++s) {
-      first_[s] = tally(first[s]);
-      second_[s] = tally(second[s]);
+      first_[s] = place(static_cast<std::uint32_t>(first[s]));
+      second_[s] = place(static_cast<std::uint32_t>(second[s]));
     }
-    block_start_.push_back(static_cast<std::uint32_t>(stone_of.size()));
   }
-  load_.resize(stone_of.size());
-  of_stone_ = group_by(stone_of, stones);
+  of_stone_ = group_by(stone_of, stones.size());
   stone_.resize(stone_of.size());
   for (std::size_t k = 0; k < stone_.size(); ++k) stone_[k] = stone_of[of_stone_.item[k]];
-}
-
-void Tallies::clear(std::int64_t block) {
-  std::fill(load_.begin() + block_start_[block], load_.begin() + block_start_[block + 1], Load{});
-}
-
-void Tallies::add_up(ParticleStore& stones, double gravity, bool breaks) const {
-  if (breaks)
-    add_up<true>(stones, gravity);
-  else
-    add_up<false>(stones, gravity);
-}
-
-template <bool breaks>
-void Tallies::add_up(ParticleStore& stones, double gravity) const {
-  constexpr std::int64_t stones_per_chunk = 256;
-  const std::int64_t count = std::ssize(stones.id);
-#pragma omp parallel for schedule(static) if (count > stones_per_chunk)
-  for (std::int64_t begin = 0; begin < count; begin += stones_per_chunk) {
-    const std::int64_t end = std::min(count, begin + stones_per_chunk);
-    for (std::int64_t i = begin; i < end; ++i)
-      stones.load[i] = {{{0, 0, -gravity * stones.mass[i]}, 0, {0, 0, 0}, 0}};
-    for (std::uint32_t k = of_stone_.start[begin]; k < of_stone_.start[end]; ++k)
-      add_load<breaks>(load(&load_[of_stone_.item[k]].force.x), stones.load[stone_[k]]);
-  }
+  stones.load.resize(stones.size());
+  stones.load.resize(stones.size() + stone_of.size(), Load{});
 }
 
 std::size_t Tallies::bytes() const {
-  return sizeof(Load) * load_.size() +
-         sizeof(std::uint32_t) * (first_.size() + second_.size() + block_start_.size() +
-                                  of_stone_.start.size() + of_stone_.item.size() + stone_.size());
+  return sizeof(Load) * stone_.size() +
+         sizeof(std::uint32_t) * (first_.size() + second_.size() + of_stone_.start.size() +
+                                  of_stone_.item.size() + stone_.size());
 }
 
 }  // namespace dem

@@ -1,7 +1,8 @@
 // From forces of slots to loads of stones, with the same bits for any number of threads.
 //
-// Slots come in blocks of fixed size. Each block adds up, slot after slot, in tallies of its own,
-// one per stone that it meets; then every stone adds up its weight and its tallies, in block order.
+// Slots come in blocks of fixed size, each the work of one thread, that adds up slot after slot.
+// The first block that meets a stone adds to the stone's load itself, further blocks each to a part
+// of its load behind those of the stones; at last every stone adds up its parts in block order.
 #pragma once
 
 #include <algorithm>
@@ -20,57 +21,97 @@ class Tallies {
  public:
   static constexpr std::int64_t slots_per_block = 1024;  // a multiple of the lanes
 
-  // For slots between the stones first[s] and second[s] of `stones` stones.
+  // For slots between the stones first[s] and second[s]; their number is a multiple of the lanes.
+  // Makes room for the parts in stones.load.
   void take(std::span<const std::int32_t> first, std::span<const std::int32_t> second,
-            std::size_t stones);
+            ParticleStore& stones);
 
-  std::int64_t blocks() const { return static_cast<std::int64_t>(block_start_.size()) - 1; }
-  void clear(std::int64_t block);
-  // The loads on both stones of a few slots, to be added to the tallies in one go: the processor
-  // sees far enough ahead in such a plain loop not to wait for the sum before.
+  std::int64_t blocks() const { return blocks_; }
+  // The forces of a few slots, to be added to the tallies in one go: the processor sees far enough
+  // ahead in such a plain loop not to wait for the sum before.
   class Batch {
    public:
     static constexpr int slots = 64;
 
-    // Of the T slots from number `at` of the batch on.
+    // Of the T slots from number `at` of the batch on: the force on the first stone, its opposite
+    // on the second, the torques on both, and what either stone is crushed by.
     template <class T>
-    void put(int at, const LoadOf<T>& on_first, const LoadOf<T>& on_second);
+    void put(int at, const Vec3<T>& force, const Vec3<T>& torque_i, const Vec3<T>& torque_j,
+             T crush);
+
+    // What fills up the last eight behind `count` slots is without force.
+    void end(int count) {
+      for (int k = count; k % lanes != 0; ++k) put<double>(k, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0);
+    }
 
    private:
     friend class Tallies;
-    alignas(64) std::array<Pack, slots> on_first_, on_second_;
+    alignas(64) std::array<Quad, slots> force_, torque_i_, torque_j_;
   };
   // Adds a batch of `count` slots from `slot` on, slot after slot.
   template <bool breaks>
-  void add(std::int64_t slot, int count, const Batch& batch);
+  void add(std::int64_t slot, int count, const Batch& batch, std::vector<Load>& load) const;
 
-  // gravity [m/s2], downwards along z. Writes the stones' loads; crush only if they may break.
-  void add_up(ParticleStore& stones, double gravity, bool breaks) const;
+  // The same work for any number of threads: chunk of chunks() adds up the parts of some stones and
+  // leaves them empty. Of crush, which counts only if stones may break, the largest stays.
+  std::int64_t chunks() const { return (std::ssize(of_stone_.start) - 2) / stones_per_chunk + 1; }
+  template <bool breaks>
+  void add_up(std::int64_t chunk, std::vector<Load>& load) const;
 
   std::size_t bytes() const;
 
  private:
-  template <bool breaks>
-  void add_up(ParticleStore& stones, double gravity) const;
+  static constexpr std::int64_t stones_per_chunk = 512;
 
-  std::vector<std::uint32_t> first_, second_;  // by slot
-  std::vector<std::uint32_t> block_start_;     // first tally of each block, and their number
-  std::vector<Load> load_;                     // of each tally
-  Groups of_stone_;
-  std::vector<std::uint32_t> stone_;  // of each item of these
+  std::int64_t blocks_ = 0;
+  std::vector<std::uint32_t> first_, second_;  // place of the load that each slot adds to
+  Groups of_stone_;                            // the parts, by the stones
+  std::vector<std::uint32_t> stone_;           // of each item of these
 };
 
 template <class T>
-void Tallies::Batch::put(int at, const LoadOf<T>& on_first, const LoadOf<T>& on_second) {
-  std::ranges::copy(records(on_first), on_first_.begin() + at);
-  std::ranges::copy(records(on_second), on_second_.begin() + at);
+void Tallies::Batch::put(int at, const Vec3<T>& force, const Vec3<T>& torque_i,
+                         const Vec3<T>& torque_j, T crush) {
+  if constexpr (width<T> == 1) {
+    at += quad_place(at % lanes) - at % lanes;
+    force_[at] = Quad{force.x, force.y, force.z, 0};
+    torque_i_[at] = Quad{torque_i.x, torque_i.y, torque_i.z, crush};
+    torque_j_[at] = Quad{torque_j.x, torque_j.y, torque_j.z, crush};
+  } else {
+    quads(force, T(0.0), &force_[at]);
+    quads(torque_i, crush, &torque_i_[at]);
+    quads(torque_j, crush, &torque_j_[at]);
+  }
 }
 
 template <bool breaks>
-void Tallies::add(std::int64_t slot, int count, const Batch& batch) {
-  for (int k = 0; k < count; ++k) {
-    add_load<breaks>(batch.on_first_[k], load_[first_[slot + k]]);
-    add_load<breaks>(batch.on_second_[k], load_[second_[slot + k]]);
+void Tallies::add(std::int64_t slot, int count, const Batch& batch, std::vector<Load>& load) const {
+  Load* const loads = load.data();
+  const std::uint32_t* const first = &first_[slot];
+  const std::uint32_t* const second = &second_[slot];
+  for (int pack = 0; pack < count; pack += lanes)
+    for (int k = 0; k < lanes; ++k) {
+      const int at = pack + quad_place(k);
+      double* const i = &loads[first[pack + k]].force.x;
+      store_quad(load_quad(i) + batch.force_[at], i);
+      store_quad(joined<breaks>(load_quad(i + 4), batch.torque_i_[at]), i + 4);
+      double* const j = &loads[second[pack + k]].force.x;
+      store_quad(load_quad(j) - batch.force_[at], j);
+      store_quad(joined<breaks>(load_quad(j + 4), batch.torque_j_[at]), j + 4);
+    }
+}
+
+template <bool breaks>
+void Tallies::add_up(std::int64_t chunk, std::vector<Load>& load) const {
+  const std::size_t stones = of_stone_.start.size() - 1;
+  const std::size_t begin = chunk * stones_per_chunk;
+  const std::size_t end = std::min<std::size_t>(stones, begin + stones_per_chunk);
+  for (std::uint32_t k = of_stone_.start[begin]; k < of_stone_.start[end]; ++k) {
+    Load& part = load[stones + of_stone_.item[k]];
+    double* const sum = &load[stone_[k]].force.x;
+    store_quad(load_quad(sum) + load_quad(&part.force.x), sum);
+    store_quad(joined<breaks>(load_quad(sum + 4), load_quad(&part.torque.x)), sum + 4);
+    part = Load{};
   }
 }
 

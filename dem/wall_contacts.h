@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <span>
 #include <string>
 #include <variant>
@@ -23,6 +24,7 @@ class WallContacts {
     double push;       // [N]
     Stencil stencil;   // of an elastic wall
   };
+  static_assert(offsetof(Touch, push) == 11 * sizeof(double));  // three times four numbers
 
   Law law;
   ContactHistory<Law> history;
@@ -62,6 +64,15 @@ class WallContacts {
   template <class T>
   void evaluate_at(ParticleStore& particles, const Wall& wall, double dt, double horizon,
                    std::int64_t slot, Extremes& extremes);
+  // What the slots from `slot` on have found, one after the other.
+  template <class T>
+  struct Results {
+    alignas(64) Quad force[width<T>];                     // and half of the overlap
+    alignas(64) Quad moment[width<T>], torque[width<T>];  // and crush
+    alignas(64) Quad point[width<T>];                     // and push
+  };
+  template <class T>
+  void put(ParticleStore& particles, std::int64_t slot, const Results<T>& results);
   // Velocity of the bent face [m/s] and its displacement along the normal [m] below the points
   // `foot`.
   template <class T>
@@ -187,32 +198,43 @@ void WallContacts<Law>::evaluate_at(ParticleStore& particles, const Wall& wall, 
   forget<T>(!alive, memory.value);
   memory.keep(history, slot);
 
-  const Vec3<T> force = normal * response.push + response.shear;
-  const Vec3<T> moment = cross(response.shear, normal);
-  for (int k = 0; k < width<T>; ++k) {
-    Touch& at = touch[k];
-    if (!lane(alive, k)) {
-      at.action = SlotForce{};
-      at.push = 0;
-      continue;
-    }
-    at.action = {{lane(force.x, k), lane(force.y, k), lane(force.z, k)},
-                 0.5 * lane(overlap, k),
-                 {lane(moment.x, k), lane(moment.y, k), lane(moment.z, k)},
-                 0};
-    at.point = {lane(point.x, k), lane(point.y, k), lane(point.z, k)};
-    at.push = lane(response.push, k);
-    Load& load = particles.load[i[k]];
-    load.force += at.action.force;
-    load.torque += at.action.moment * lane(arm, k);
-    if constexpr (Law::breaks) {
-      const double size = lane(stone, k);
-      at.action.crush = lane(response.stone, k) / (size * size);
-      load.crush = larger(load.crush, at.action.crush);
-    }
-    if (horizon > 0)
-      extremes.merge({lane(response.stiffness, k) / lane(inertia, k), slot + k,
-                      (lane(overlap, k) - particles.shell) / lane(stone, k), slot + k});
+  const T zero(0.0);
+  const Vec3<T> none = {zero, zero, zero};
+  const Vec3<T> force = select(alive, normal * response.push + response.shear, none);
+  const Vec3<T> moment = select(alive, cross(response.shear, normal), none);
+  T crush = zero;
+  if constexpr (Law::breaks) crush = select(alive, response.stone / (stone * stone), zero);
+  Results<T> results;
+  quads(force, select(alive, T(0.5) * overlap, zero), results.force);
+  quads(moment, crush, results.moment);
+  quads(point, select(alive, response.push, zero), results.point);
+  quads(moment * arm, crush, results.torque);
+  put(particles, slot, results);
+
+  if (horizon > 0) {
+    const T rate = select(alive, response.stiffness / inertia, zero);
+    const T deep = select(alive, (overlap - T(particles.shell)) / stone, zero);
+    for (int k = 0; k < width<T>; ++k)
+      if (lane(alive, k)) extremes.merge({lane(rate, k), slot + k, lane(deep, k), slot + k});
+  }
+}
+
+template <ContactLaw Law>
+template <class T>
+void WallContacts<Law>::put(ParticleStore& particles, std::int64_t slot,
+                            const Results<T>& results) {
+  const std::int64_t count = std::min<std::int64_t>(width<T>, slots_ - slot);
+  for (int k = 0; k < count; ++k) {
+    const int at = width<T> == 1 ? 0 : quad_place(k);
+    Touch& touch = touches_[slot + k];
+    store_quad(results.force[at], &touch.action.force.x);
+    store_quad(results.moment[at], &touch.action.moment.x);
+    store_quad(results.point[at], &touch.point.x);
+    double* const load = &particles.load[stones[slot + k]].force.x;
+    Quad force = results.force[at];
+    force[3] = 0;
+    store_quad(load_quad(load) + force, load);
+    store_quad(joined<Law::breaks>(load_quad(load + 4), results.torque[at]), load + 4);
   }
 }
 

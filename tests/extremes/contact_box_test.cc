@@ -132,7 +132,7 @@ Drive drive(const Case& given, const Eigen::Quaterniond& view) {
   NeighborList list;
   const std::vector<double> outer = {r[0] + shell, r[1] + shell};
   list.build({stones.position, outer, stones.id}, 2 * given.farthest);
-  pairs.take(list);
+  pairs.take(list, stones);
 
   Drive found;
   Vec3d force[2] = {}, torque[2] = {};
@@ -144,8 +144,8 @@ Drive drive(const Case& given, const Eigen::Quaterniond& view) {
       stones.spin[k] = turned(view, Vec3d{0, given.slide[k].step(n), given.twist.step(n)}) *
                        (given.angle / given.dt);
     const bool held = pairs.held() > 0;
+    weigh(stones, 0);
     pairs.evaluate(stones, given.dt);
-    pairs.tallies.add_up(stones, 0, Law::breaks);
     found.breaks += held && pairs.held() == 0;
     Vec3d sum = {0, 0, 0}, moment = {0, 0, 0};
     double largest = 0, stride = norm(path);

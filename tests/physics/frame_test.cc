@@ -33,7 +33,7 @@ class LoadedPair {
     NeighborList list;
     const std::vector<double> outer = {stones_.outer_radius(0), stones_.outer_radius(1)};
     list.build({stones_.position, outer, stones_.id}, 1e-3);
-    pairs_.take(list);
+    pairs_.take(list, stones_);
     stones_.velocity[0] = {1e-7, 2e-7, 0};
     pairs_.evaluate<double>(stones_, dt_);
     for (int k = 0; k < 20; ++k) pairs_.evaluate<double>(stones_, dt_);

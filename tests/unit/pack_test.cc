@@ -183,12 +183,22 @@ TEST(records, vectors_and_loads_keep_their_numbers) {
     EXPECT_EQ(found.y[k], 100 + index[k]);
     EXPECT_EQ(found.z[k], 200 + index[k]);
   }
-  std::array<Pack, 8> number;
-  for (int n = 0; n < 8; ++n)
-    for (int k = 0; k < lanes; ++k) number[n].value[k] = 10 * n + k;
-  const std::array<Pack, 8> record = transposed(number);
-  for (int n = 0; n < 8; ++n)
-    for (int k = 0; k < lanes; ++k) EXPECT_EQ(record[k][n], 10 * n + k);
+  const std::array<std::int32_t, lanes> other = {0, 19, 7, 8, 4, 1, 18, 2};
+  const Vec3<Pack> apart = gather_difference<Pack>(vectors, index.data(), other.data());
+  for (int k = 0; k < lanes; ++k) {
+    EXPECT_EQ(apart.x[k], index[k] - other[k]);
+    EXPECT_EQ(apart.y[k], index[k] - other[k]);
+    EXPECT_EQ(apart.z[k], index[k] - other[k]);
+  }
+  Pack fourth;
+  for (int k = 0; k < lanes; ++k) set_lane(fourth, k, 300 + index[k]);
+  alignas(64) Quad quad[lanes];
+  quads(found, fourth, quad);
+  for (int k = 0; k < lanes; ++k)
+    for (int n = 0; n < 4; ++n) EXPECT_EQ(quad[quad_place(k)][n], 100 * n + index[k]);
+  EXPECT_EQ(joined<false>(quad[0], quad[1])[3], quad[0][3] + quad[1][3]);
+  EXPECT_EQ(joined<true>(quad[0], quad[1])[3], std::max(quad[0][3], quad[1][3]));
+  EXPECT_EQ(joined<true>(quad[0], quad[1])[2], quad[0][2] + quad[1][2]);
 }
 
 }  // namespace

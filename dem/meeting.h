@@ -1,0 +1,73 @@
+// How two stones meet: what a contact law sees of them.
+#pragma once
+
+#include <cstdint>
+
+#include "dem/contact.h"
+#include "dem/particle_store.h"
+
+namespace dem {
+
+// What stays of two stones until the lists are made anew. All 0 in the lanes that only fill up the
+// last eight slots: such stones never touch.
+template <class T>
+struct Couple {
+  T radius_i, radius_j;          // of the outer surfaces [m]
+  T outer_radius, stone_radius;  // see Contact [m]
+  T mass;                        // reduced inertia [kg]
+};
+
+inline Couple<double> couple_of(const ParticleStore& stones, std::int32_t i, std::int32_t j) {
+  const double stone_i = stones.radius[i], stone_j = stones.radius[j];
+  const double radius_i = stones.outer_radius(i), radius_j = stones.outer_radius(j);
+  const double mass_i = stones.mass[i], mass_j = stones.mass[j];
+  return {radius_i, radius_j, radius_i * radius_j / (radius_i + radius_j),
+          stone_i * stone_j / (stone_i + stone_j),
+          stones.inertia_scale * mass_i * mass_j / (mass_i + mass_j)};
+}
+
+// What changes in every step, of the first stone against the second or of both.
+template <class T>
+struct Passing {
+  Vec3<T> apart;           // [m]
+  Vec3<T> rate;            // [m/s]
+  Vec3<T> spin_i, spin_j;  // [rad/s]
+};
+
+template <class T>
+struct Meeting {
+  Contact<T> contact;
+  T arm_i, arm_j;  // from the centres to the middle of the overlap [m]
+};
+
+// After a step of dt [s]; leaves the softness to be filled in.
+template <class T>
+Meeting<T> meet(const Couple<T>& couple, const Passing<T>& passing, double dt) {
+  const auto& [apart, rate, spin_i, spin_j] = passing;
+  const T square = larger(dot(apart, apart), T(1e-300));
+  const T inverse = reciprocal_root(square);
+
+  Meeting<T> pair;
+  Contact<T>& contact = pair.contact;
+  contact.overlap = couple.radius_i + couple.radius_j - square * inverse;
+  contact.outer_radius = couple.outer_radius;
+  contact.stone_radius = couple.stone_radius;
+  contact.mass = couple.mass;
+  contact.normal = apart * inverse;
+  const Vec3<T>& normal = contact.normal;
+  contact.closing = -dot(rate, normal);
+  pair.arm_i = couple.radius_i - T(0.5) * contact.overlap;
+  pair.arm_j = couple.radius_j - T(0.5) * contact.overlap;
+  const Vec3<T> swing = cross(normal, rate) * inverse;  // angular velocity of the normal
+  const Vec3<T> rolling = pair.arm_i * spin_i + pair.arm_j * spin_j;
+  // Velocities are of the middle of the step: so is the normal that spins are taken about, as much
+  // of it as lies in the contact plane.
+  contact.sliding = (rate + normal * contact.closing - cross(rolling, normal) +
+                     swing * (T(0.5 * dt) * dot(rolling, normal))) *
+                    T(dt);
+  contact.turn = (swing + normal * (T(0.5) * dot(spin_i + spin_j, normal))) * T(dt);
+  contact.horizon = T(0.0);
+  return pair;
+}
+
+}  // namespace dem
