@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "apps/ledger.h"
 #include "dem/observe.h"
@@ -17,24 +18,43 @@ inline constexpr dem::Material rigid = {1e30, 0.3};
 // Stones whose mean height stands for the height of a bed (Olsson, Jelagin, Partl, section 3.2).
 inline constexpr int highest_points = 10;
 
-// The step for a pair of the smallest stones with full shells, or a slight overlap of dry stones:
-// used while nothing stiffer is in contact [s].
+// The step for a pair of stones like the one at `place`, with full shells, or a slight overlap of
+// dry stones [s].
 template <class Law>
-double largest_step(const Law& law, const dem::ParticleStore& stones, double safety) {
-  const double radius = *std::min_element(stones.radius.begin(), stones.radius.end());
-  const double mass =
-      stones.inertia_scale * *std::min_element(stones.mass.begin(), stones.mass.end());
+double stable_step(const Law& law, const dem::ParticleStore& stones, std::size_t place,
+                   double safety) {
+  const double radius = stones.radius[place];
   dem::Contact<double> contact = {};
   contact.overlap = stones.shell > 0 ? 2 * stones.shell : 1e-4 * radius;
   contact.outer_radius = (radius + stones.shell) / 2;
   contact.stone_radius = radius / 2;
-  contact.mass = mass / 2;
+  contact.mass = stones.inertia[place] / 2;
   contact.softness = 1;
   contact.normal = {0, 0, 1};
   typename Law::template Memory<double> memory = {};
   Law fresh = law;
   fresh.set_time_step(1e-9);
-  return safety * std::sqrt(mass / fresh(contact, memory).stiffness);
+  return safety * std::sqrt(stones.inertia[place] / fresh(contact, memory).stiffness);
+}
+
+// Of the stone that needs the smallest: used while nothing stiffer is in contact [s].
+template <class Law>
+double largest_step(const Law& law, const dem::ParticleStore& stones, double safety) {
+  double least = std::numeric_limits<double>::max();
+  for (std::size_t k = 0; k < stones.size(); ++k)
+    least = std::min(least, stable_step(law, stones, k, safety));
+  return least;
+}
+
+// Takes from every stone the inertia that it does not need for the step of the one that needs most;
+// none gets less than its mass.
+template <class Law>
+void select_inertia(const Law& law, dem::ParticleStore& stones) {
+  const double needed = largest_step(law, stones, 1);
+  for (std::size_t k = 0; k < stones.size(); ++k) {
+    const double spare = needed / stable_step(law, stones, k, 1);
+    stones.inertia[k] = std::max(stones.mass[k], stones.inertia[k] * spare * spare);
+  }
 }
 
 // The simulation of a gas of the mix in a container, without walls yet, at rest and without bonds.
@@ -50,6 +70,7 @@ dem::Simulation<Law> make_bed(const StonesScene& stones, const Mix& mix, const L
   if (!mix.strength.empty()) dem::make_breakable(store, mix.strength);
 
   const Law law = book.law<Law>({std::nullopt, stones.friction}, fill.bonds);
+  if (numerics.selective_mass) select_inertia(law, store);
   dem::Settings settings;
   settings.safety = numerics.safety;
   settings.largest_overlap = numerics.largest_overlap;
@@ -78,7 +99,7 @@ Settling begin_settling(dem::Simulation<Law>& bed, const FillScene& fill) {
   for (std::size_t k = 0; k < stones.size(); ++k)
     settling.threshold += fill.rest_energy * stones.mass[k] * gravity * stones.radius[k];
   const double depth = dem::mean_of_highest(stones, 1);
-  settling.fall = std::sqrt(2 * depth * stones.inertia_scale / gravity);
+  settling.fall = std::sqrt(2 * depth * dem::mean_inertia_scale(stones) / gravity);
   settling.start = bed.time();
   settling.next_look = bed.time() + 0.05 * settling.fall;
   bed.set_drag(2 / settling.fall);

@@ -84,7 +84,7 @@ class Stages {
   double bytes_per_stone() const {
     const dem::ParticleStore& stones = bed_.stones;
     const double numbers =
-        stones.radius.size() + stones.mass.size() + stones.strength.size() + stones.softness.size();
+        stones.radius.size() + 2 * stones.mass.size() + stones.strength.size() + stones.softness.size();
     const double vectors = 4.0 * stones.size();  // three of the store, and the reference
     const double rows = 3.0 * stones.size() * sizeof(std::uint32_t);  // id and two row starts
     return (numbers * sizeof(double) + vectors * sizeof(dem::Vec3d) + rows +

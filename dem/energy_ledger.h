@@ -128,14 +128,17 @@ template <ContactLaw Law>
 void EnergyLedger<Law>::look_at_stones(const Simulation<Law>& bed) {
   const ParticleStore& stones = bed.stones();
   const double dt = bed.last_step();
-  double moving = 0, turning = 0, dragged = 0, potential = 0;
+  double moving = 0, turning = 0, scaled = 0, dragged = 0, potential = 0;
   for (std::size_t k = 0; k < stones.size(); ++k) {
-    const double inertia = stones.inertia_scale * stones.mass[k];
+    const double inertia = stones.inertia[k];
     const double moment = 0.4 * inertia * stones.radius[k] * stones.radius[k];
     const Vec3d velocity = stones.velocity[k] + stones.load[k].force * (0.5 * dt / inertia);
     const Vec3d spin = stones.spin[k] + stones.load[k].torque * (0.5 * dt / moment);
-    moving += 0.5 * inertia * dot(velocity, velocity);
-    turning += 0.5 * moment * dot(spin, spin);
+    const double along = 0.5 * inertia * dot(velocity, velocity);
+    const double around = 0.5 * moment * dot(spin, spin);
+    moving += along;
+    turning += around;
+    scaled += (1 - stones.mass[k] / inertia) * (along + around);
     dragged += inertia * dot(stones.velocity[k], stones.velocity[k]) +
                moment * dot(stones.spin[k], stones.spin[k]);
     potential += bed.gravity() * stones.mass[k] * stones.position[k].z;
@@ -143,7 +146,7 @@ void EnergyLedger<Law>::look_at_stones(const Simulation<Law>& bed) {
   if (!open_) potential_ = potential;
   energies_.kinetic = moving + turning;
   energies_.spin = turning;
-  energies_.mass_scaling = (1 - 1 / stones.inertia_scale) * energies_.kinetic;
+  energies_.mass_scaling = scaled;
   energies_.drag += bed.drag() * dragged * dt;
   energies_.gravity = potential_ - potential;
 }
@@ -231,8 +234,7 @@ Contact<double> EnergyLedger<Law>::pair_contact(const ParticleStore& stones, std
   contact.overlap = outer_i + outer_j - distance;
   contact.outer_radius = outer_i * outer_j / (outer_i + outer_j);
   contact.stone_radius = stone_i * stone_j / (stone_i + stone_j);
-  contact.mass =
-      stones.inertia_scale * stones.mass[i] * stones.mass[j] / (stones.mass[i] + stones.mass[j]);
+  contact.mass = stones.inertia[i] * stones.inertia[j] / (stones.inertia[i] + stones.inertia[j]);
   contact.softness = 0.5 * (softness_of(stones, i) + softness_of(stones, j));
   contact.normal = apart * (1 / distance);
   const Vec3d& n = contact.normal;
@@ -268,7 +270,7 @@ Contact<double> EnergyLedger<Law>::wall_contact(const ParticleStore& stones, std
   }
   contact.outer_radius = outer;
   contact.stone_radius = stones.radius[i];
-  contact.mass = stones.inertia_scale * stones.mass[i];
+  contact.mass = stones.inertia[i];
   contact.softness = softness_of(stones, i);
   const double arm = outer - 0.5 * contact.overlap;
   const Vec3d point = stones.position[i] - n * arm;

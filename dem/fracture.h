@@ -8,8 +8,8 @@
 // C being the force with which its other stone contacts clamp it across the crack. No clamping
 // leaves `residual` of the stiffness, clamping far above F_b restores it all. The share enters as
 // compliance: softness = 1 / share. It follows the rule with a lag of a few looks, so that a break
-// is no impact; what is given back bears later load only (dem/laws/fracture.h). Limits: fragments do
-// not separate, and strength is not drawn again.
+// is no impact; what is given back bears later load only (dem/laws/fracture.h). Limits: fragments
+// do not separate, and strength is not drawn again.
 #pragma once
 
 #include <cstdint>

@@ -29,7 +29,7 @@ Travel advance_stones(ParticleStore& stones, Steps steps, double drag, double gr
     bool finite = true;
 #pragma omp for schedule(static) nowait
     for (std::int64_t i = 0; i < count; ++i) {
-      const double inertia = stones.inertia_scale * stones.mass[i];
+      const double inertia = stones.inertia[i];
       const double moment = 0.4 * inertia * stones.radius[i] * stones.radius[i];
       Vec3d& v = stones.velocity[i];
       Vec3d& w = stones.spin[i];

@@ -20,10 +20,9 @@ struct Couple {
 inline Couple<double> couple_of(const ParticleStore& stones, std::int32_t i, std::int32_t j) {
   const double stone_i = stones.radius[i], stone_j = stones.radius[j];
   const double radius_i = stones.outer_radius(i), radius_j = stones.outer_radius(j);
-  const double mass_i = stones.mass[i], mass_j = stones.mass[j];
+  const double inertia_i = stones.inertia[i], inertia_j = stones.inertia[j];
   return {radius_i, radius_j, radius_i * radius_j / (radius_i + radius_j),
-          stone_i * stone_j / (stone_i + stone_j),
-          stones.inertia_scale * mass_i * mass_j / (mass_i + mass_j)};
+          stone_i * stone_j / (stone_i + stone_j), inertia_i * inertia_j / (inertia_i + inertia_j)};
 }
 
 // What changes in every step, of the first stone against the second or of both.

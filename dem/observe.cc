@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 
 namespace dem {
 
@@ -10,10 +11,17 @@ double kinetic_energy(const ParticleStore& stones) {
   double twice = 0;
   for (std::size_t k = 0; k < stones.size(); ++k) {
     const double turning = 0.4 * stones.radius[k] * stones.radius[k];
-    twice += stones.mass[k] * (dot(stones.velocity[k], stones.velocity[k]) +
-                               turning * dot(stones.spin[k], stones.spin[k]));
+    twice += stones.inertia[k] * (dot(stones.velocity[k], stones.velocity[k]) +
+                                  turning * dot(stones.spin[k], stones.spin[k]));
   }
-  return 0.5 * stones.inertia_scale * twice;
+  return 0.5 * twice;
+}
+
+double mean_inertia_scale(const ParticleStore& stones) {
+  const auto sum = [](const std::vector<double>& all) {
+    return std::accumulate(all.begin(), all.end(), 0.0);
+  };
+  return sum(stones.inertia) / sum(stones.mass);
 }
 
 double mean_of_highest(const ParticleStore& stones, int count) {

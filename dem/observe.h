@@ -8,6 +8,8 @@ namespace dem {
 
 double kinetic_energy(const ParticleStore& stones);  // with scaled inertia, spin included [J]
 
+double mean_inertia_scale(const ParticleStore& stones);  // sum of inertia / sum of mass [-]
+
 // Mean height of the `count` highest stone tops (bare stones) [m].
 double mean_of_highest(const ParticleStore& stones, int count);
 

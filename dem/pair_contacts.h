@@ -200,12 +200,11 @@ template <class T, bool check>
   if constexpr (check) {
     const std::int32_t *i = &first_[slot], *j = &second_[slot];
     const T lighter =
-        smaller(gather<T>(stones.mass.data(), i, 1), gather<T>(stones.mass.data(), j, 1));
+        smaller(gather<T>(stones.inertia.data(), i, 1), gather<T>(stones.inertia.data(), j, 1));
     const T thinner =
         smaller(gather<T>(stones.radius.data(), i, 1), gather<T>(stones.radius.data(), j, 1));
     const T deep = (contact.overlap - T(2.0 * stones.shell)) / thinner;
-    extremes.look(slot, response.stiffness / (T(stones.inertia_scale) * lighter),
-                  select(alive, deep, zero));
+    extremes.look(slot, response.stiffness / lighter, select(alive, deep, zero));
   }
 }
 

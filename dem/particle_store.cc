@@ -10,11 +10,11 @@ ParticleStore make_stones(std::vector<Vec3d> position, std::vector<double> radiu
   const std::size_t count = position.size();
   ParticleStore stones;
   stones.shell = shell;
-  stones.inertia_scale = inertia_scale;
   stones.id.resize(count);
   std::iota(stones.id.begin(), stones.id.end(), 0u);
   stones.mass.reserve(count);
   for (double r : radius) stones.mass.push_back(density * 4.0 / 3.0 * std::numbers::pi * r * r * r);
+  for (double m : stones.mass) stones.inertia.push_back(inertia_scale * m);
   stones.radius = std::move(radius);
   stones.position = std::move(position);
   stones.velocity.assign(count, Vec3d{});
@@ -33,6 +33,7 @@ void reorder(ParticleStore& stones, const std::vector<std::uint32_t>& order) {
   permute(stones.id);
   permute(stones.radius);
   permute(stones.mass);
+  permute(stones.inertia);
   permute(stones.strength);
   permute(stones.position);
   permute(stones.velocity);

@@ -20,13 +20,13 @@ struct LoadOf {
 struct alignas(64) Load : LoadOf<double> {};
 
 struct ParticleStore {
-  double shell = 0;          // thickness of the binder shell, the same for all stones [m]
-  double inertia_scale = 1;  // inertia / true inertia; weight stays true [-]
+  double shell = 0;  // thickness of the binder shell, the same for all stones [m]
 
   // Written once, when the stones are made.
   std::vector<std::uint32_t> id;
   std::vector<double> radius;    // of the bare stone [m]
-  std::vector<double> mass;      // true mass [kg]
+  std::vector<double> mass;      // true mass: what weighs [kg]
+  std::vector<double> inertia;   // what resists acceleration: mass, or more where it is scaled [kg]
   std::vector<double> strength;  // Weibull strength [Pa]; empty when stones do not break
 
   // Written by the integrator.

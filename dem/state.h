@@ -15,13 +15,13 @@ namespace dem {
 
 template <class Visit>
 void visit_state(Visit& visit, const std::string& in, ParticleStore& stones) {
-  auto& [shell, inertia_scale, id, radius, mass, strength, position, velocity, spin, load,
-         softness] = stones;
+  auto& [shell, id, radius, mass, inertia, strength, position, velocity, spin, load, softness] =
+      stones;
   visit(in + "shell", shell);
-  visit(in + "inertia_scale", inertia_scale);
   visit(in + "id", id);
   visit(in + "radius", radius);
   visit(in + "mass", mass);
+  visit(in + "inertia", inertia);
   visit(in + "strength", strength);
   visit(in + "position", position);
   visit(in + "velocity", velocity);

@@ -181,7 +181,7 @@ void WallContacts<Law>::evaluate_at(ParticleStore& particles, const Wall& wall, 
   contact.overlap = overlap;
   contact.outer_radius = radius;
   contact.stone_radius = stone;
-  const T inertia = gather<T>(particles.mass.data(), i, 1) * T(particles.inertia_scale);
+  const T inertia = gather<T>(particles.inertia.data(), i, 1);
   contact.mass = inertia;
   contact.softness = T(1.0);
   if constexpr (Law::breaks) contact.softness = gather<T>(particles.softness.data(), i, 1);

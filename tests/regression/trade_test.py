@@ -97,7 +97,7 @@ class Trade(unittest.TestCase):
         self.assertEqual(self.runs(), {})
 
     def test_a_run_in_numerical_trouble_is_told(self):
-        crushing = STUDY.replace("safety = 0.2", 'largest_overlap = 1e-9\nbinder = "none"')
+        crushing = STUDY.replace("safety = 0.2", 'largest_overlap = 1e-9\nbinder = "none"\nstones.count = 300')
         answer = self.study(crushing)
         self.assertEqual(answer.returncode, 0, answer.stderr)
         self.assertRegex(answer.stdout, r"\| the same \| stopped: .*stone \d+, time .* overlap")
