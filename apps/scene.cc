@@ -15,17 +15,18 @@ SceneSource source_of(const Document& document, const std::vector<std::string>& 
   return source;
 }
 
-// Makes room for what a scene may name more than once.
-void make_room(GyratoryScene& scene, const Document& document) {
+// Makes room for what a scene may name more than once, and lets it be taken away where none is.
+void make_room(GyratoryScene& scene, Document& document) {
   scene.gauges.resize(document.repetitions("output.gauge"));
+  document.removed.erase("output.gauge");
 }
-void make_room(FlowTestScene&, const Document&) {}
+void make_room(FlowTestScene&, Document&) {}
 
 template <class Scene>
 Scene read_scene(const std::string& path, const std::vector<std::string>& overrides) {
   const UnitSystem units;
   Mistakes mistakes;
-  const Document document = read_document(path, overrides, mistakes);
+  Document document = read_document(path, overrides, mistakes);
   Scene scene;
   make_room(scene, document);
   read_sections(describe(scene), document, units, mistakes);
