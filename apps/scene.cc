@@ -18,11 +18,12 @@ SceneSource source_of(const Document& document, const std::vector<std::string>& 
   return source;
 }
 
-// Makes room for what a scene may name more than once.
-void make_room(GyratoryScene& scene, const Document& document) {
+// Makes room for what a scene may name more than once, and lets it be taken away where none is.
+void make_room(GyratoryScene& scene, Document& document) {
   scene.gauges.resize(document.repetitions("output.gauge"));
+  document.removed.erase("output.gauge");
 }
-void make_room(FlowTestScene&, const Document&) {}
+void make_room(FlowTestScene&, Document&) {}
 
 // Before anything is read: a set of fidelity is nothing but defaults.
 template <class Scene>
@@ -36,7 +37,7 @@ template <class Scene>
 Scene read_scene(const std::string& path, const std::vector<std::string>& overrides) {
   const UnitSystem units;
   Mistakes mistakes;
-  const Document document = read_document(path, overrides, mistakes);
+  Document document = read_document(path, overrides, mistakes);
   Scene scene;
   make_room(scene, document);
   take_fidelity(document, scene);

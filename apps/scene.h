@@ -70,6 +70,7 @@ struct ElasticMouldScene {
   double poisson = 0.3;            // [-]
   double density = 7850;           // [kg/m3]
   double modes = 60;               // below 1: the largest share of compliance to leave out
+  bool full = false;               // what the modes leave out answers, too
 };
 
 struct MouldScene {
@@ -87,6 +88,7 @@ struct ElasticHeadScene {
   double poisson = 0.3;            // [-]
   double density = 7850;           // [kg/m3]
   double modes = 20;               // below 1: the largest share of compliance to leave out
+  bool full = false;               // what the modes leave out answers, too
 };
 
 struct HeadScene {

@@ -26,6 +26,10 @@ void add_steel(Section& section, ElasticScene& body) {
        {&body.modes, "modes", pure, positive,
         "of the reduced body: how many, or, below 1, the share of the largest compliance that may "
         "be left out, as in \"1e-3\"",
+        ours},
+       {&body.full, "full", pure, unbounded,
+        "true: the full body answers at every exchange, what the modes leave out statically; the "
+        "reference for `modes`",
         ours}});
 }
 

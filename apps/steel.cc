@@ -29,11 +29,23 @@ fem::Mould mould_of(const ElasticMouldScene& scene, const Machine& machine) {
 
 }  // namespace
 
+template <class ElasticScene>
+void SteelPart::couple(const ElasticScene& scene, const NumericsScene& numerics, dem::Wall& wall) {
+  coupling::ExchangeSettings settings;
+  settings.interval = numerics.exchange_interval;
+  settings.inertia_scale = numerics.head_mass_scale;
+  const Eigen::Matrix3Xd points = coupling::letterbox_points(wall);
+  const int count = static_cast<int>(scene.modes);
+  coupled_.emplace(count < 1 ? body_.reduce(scene.modes, points) : body_.reduce(count, points),
+                   wall, settings);
+  if (scene.full) coupled_->follow_fully(body_.face_compliance(points), wall);
+}
+
 SteelPart::SteelPart(const ElasticHeadScene& scene, const Machine& machine,
                      const NumericsScene& numerics, dem::Wall& wall)
     : body_(head_of(scene, machine), fem::MeshSize{}), face_radius_(machine.plate_radius) {
   wall.field.emplace(dem::DiscGrid{machine.plate_radius, plate_rings, sectors});
-  couple(scene.modes, numerics, wall);
+  couple(scene, numerics, wall);
 }
 
 SteelPart::SteelPart(const ElasticMouldScene& scene, const Machine& machine,
@@ -42,17 +54,7 @@ SteelPart::SteelPart(const ElasticMouldScene& scene, const Machine& machine,
   const double cell = 2 * std::numbers::pi * machine.mould_radius / sectors;
   const int rows = std::max(4, static_cast<int>(std::lround(scene.height / cell)));
   wall.field.emplace(dem::CylinderGrid{machine.mould_radius, scene.height, rows, sectors});
-  couple(scene.modes, numerics, wall);
-}
-
-void SteelPart::couple(double modes, const NumericsScene& numerics, dem::Wall& wall) {
-  coupling::ExchangeSettings settings;
-  settings.interval = numerics.exchange_interval;
-  settings.inertia_scale = numerics.head_mass_scale;
-  const Eigen::Matrix3Xd points = coupling::letterbox_points(wall);
-  coupled_.emplace(
-      modes < 1 ? body_.reduce(modes, points) : body_.reduce(static_cast<int>(modes), points), wall,
-      settings);
+  couple(scene, numerics, wall);
 }
 
 SteelPart::Tilt SteelPart::tilt() const {

@@ -43,7 +43,8 @@ class SteelPart {
   void draw(const std::string& vtu, const dem::Frame& frame) const;
 
  private:
-  void couple(double modes, const NumericsScene& numerics, dem::Wall& wall);
+  template <class ElasticScene>
+  void couple(const ElasticScene& scene, const NumericsScene& numerics, dem::Wall& wall);
 
   fem::ElasticBody body_;
   std::optional<coupling::ElasticWall> coupled_;

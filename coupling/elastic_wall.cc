@@ -42,6 +42,23 @@ void ElasticWall::sort_modes() {
   following_ = body_.shape(Eigen::all, statics_);
 }
 
+void ElasticWall::follow_fully(const Eigen::MatrixXd& compliance, const dem::Wall& wall) {
+  const Eigen::MatrixXd of_modes =
+      body_.shape * body_.stiffness.cwiseInverse().asDiagonal() * body_.shape.transpose();
+  rest_compliance_ = compliance - of_modes;
+  rest_ = Eigen::VectorXd::Zero(body_.shape.rows());
+  // The gain of the softest traction that the letterbox can hold, on a bed that yields as stiffly
+  // as one of the letterbox's cells can feel it.
+  const Eigen::VectorXd area = Eigen::VectorXd::Map(wall.field->area.data(), rest_.size() / 3);
+  const Eigen::VectorXd root =
+      area.cwiseSqrt().transpose().replicate(3, 1).reshaped();  // of each unknown's share [m]
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> tractions(
+      root.asDiagonal() * rest_compliance_ * root.asDiagonal(), Eigen::EigenvaluesOnly);
+  const double softest = tractions.eigenvalues().maxCoeff();  // [m3/N]
+  const double gain = settings_.bed_modulus / std::sqrt(area.mean()) * softest;
+  rest_share_ = std::min(0.5, 1 / (1 + gain));
+}
+
 void ElasticWall::exchange(dem::Wall& wall, double dt) {
   dem::SurfaceField& field = *wall.field;
   const auto nodes = static_cast<Eigen::Index>(field.size());
@@ -57,7 +74,9 @@ void ElasticWall::exchange(dem::Wall& wall, double dt) {
     const Eigen::VectorXd displacement =
         Eigen::Map<const Eigen::VectorXd>(&field.displacement.front().x, 3 * nodes);
     const Eigen::VectorXd swung = swinging_ * velocity_(oscillators_) * dt;  // still to be moved
-    static_velocity_ = (body_.shape * amplitude_ - displacement - swung) / (waited_ * dt);
+    Eigen::VectorXd wanted = body_.shape * amplitude_;
+    if (rest_.size() > 0) wanted += rest_;
+    static_velocity_ = (wanted - displacement - swung) / (waited_ * dt);
     waited_ = 0;
   }
   const Eigen::VectorXd velocity = static_velocity_ + swinging_ * velocity_(oscillators_);
@@ -90,6 +109,7 @@ void ElasticWall::relax() {
     const double share = std::min(0.5, 1 / (1 + gain_[m]));
     amplitude_[m] += share * (load[k] / body_.stiffness[m] - amplitude_[m]);
   }
+  if (rest_.size() > 0) rest_ += rest_share_ * (rest_compliance_ * (gathered_ / span_) - rest_);
   gathered_.setZero();
   span_ = 0;
 }

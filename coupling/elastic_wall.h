@@ -7,6 +7,10 @@
 // relaxation 1 / (1 + gain), at most 1/2. The gain comes from a bound on the bed's stiffness,
 // bed_modulus x face area / face size. Plain static exchange diverges where the gain exceeds 1,
 // which head tilt and mould ovalling do.
+//
+// As the reference of what modes leave out, a wall may follow fully: the rest of its compliance,
+// that of the full body less that of the modes, then answers statically at every exchange. Modes
+// that swing go on swinging, so that the full answer is as stable as theirs.
 #pragma once
 
 #include <Eigen/Dense>
@@ -31,6 +35,10 @@ class ElasticWall {
   // `body` sampled at the nodes of wall.field, in their order.
   ElasticWall(fem::ReducedBody body, const dem::Wall& wall, const ExchangeSettings& settings);
 
+  // From here on the wall comes to rest where the full body does. `compliance`: of its face at the
+  // nodes of wall.field (fem::ElasticBody::face_compliance).
+  void follow_fully(const Eigen::MatrixXd& compliance, const dem::Wall& wall);
+
   // To be called after every time step of length dt [s].
   void exchange(dem::Wall& wall, double dt);
 
@@ -46,7 +54,7 @@ class ElasticWall {
  private:
   void sort_modes();                                      // by gain into oscillators and statics
   void swing(const Eigen::VectorXd& impulse, double dt);  // moves the oscillators [N s], [s]
-  void relax();                                           // moves the static modes
+  void relax();                                           // moves the static modes and the rest
 
   fem::ReducedBody body_;
   ExchangeSettings settings_;
@@ -57,6 +65,9 @@ class ElasticWall {
   Eigen::VectorXd gathered_;                         // impulse since the last exchange [N s]
   Eigen::VectorXd static_velocity_;                  // of the nodes until the next exchange [m/s]
   double bed_stiffness_;                             // bound [N/m]
+  Eigen::MatrixXd rest_compliance_;                  // of what the modes leave out [m/N]
+  Eigen::VectorXd rest_;                             // its displacement [m]; empty: left out
+  double rest_share_ = 0;                            // relaxation of the rest [-]
   double span_ = 0;                                  // time since the last exchange [s]
   int waited_ = 0;                                   // steps since the last exchange
 };
@@ -73,6 +84,9 @@ void ElasticWall::visit_state(Visit& visit, const std::string& in) {
   visit(in + "static_velocity", static_velocity_);
   visit(in + "span", span_);
   visit(in + "waited", waited_);
+  visit(in + "rest_compliance", rest_compliance_);
+  visit(in + "rest", rest_);
+  visit(in + "rest_share", rest_share_);
   sort_modes();
 }
 

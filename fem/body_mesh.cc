@@ -77,10 +77,12 @@ void make_mesh(const Head& head, MeshSize size, dealii::Triangulation<3>& mesh) 
   constexpr double core_per_element = 1.6;  // core's radius over the size of its elements
   constexpr double gentle = 1.5;            // growth where a field falls off as 1 / distance
   constexpr double slenderness = 1.2;       // a shaft element's length over the shaft's diameter
+  constexpr double slender_plate = 3;       // a plate element's width over the plate's thickness
   // Elements shrink towards the corner of plate and shaft, where stress is singular.
   const double corner = 0.08 * std::min(thickness, shaft);
-  const Grading to_core{corner, shaft}, to_rim{corner, plate / 3}, to_face{corner, thickness / 2},
-      to_root{corner, slenderness * head.shaft_diameter},
+  const Grading to_core{corner, shaft},
+      to_rim{corner, std::min(plate / 3, slender_plate * thickness)},
+      to_face{corner, thickness / 2}, to_root{corner, slenderness * head.shaft_diameter},
       from_root{0.2 * shaft, slenderness * head.shaft_diameter};
 
   const double core = size.at_centre > 0 ? core_per_element * size.at_centre : core_share * shaft;

@@ -188,6 +188,26 @@ FaceMotion ElasticBody::face_motion(const VectorXd& displacement) const {
   return {fit[1], fit[2], fit[0]};
 }
 
+MatrixXd ElasticBody::face_compliance(const Matrix3Xd& points) const {
+  constexpr Index at_once = 48;  // solutions, which share the reading of the factor
+  const auto& face = implementation_->face;
+  const Eigen::SparseMatrix<double> weights = face.interpolation(points);
+  const Index forces = 3 * points.cols();
+  MatrixXd compliance(forces, forces);
+  for (Index first = 0; first < forces; first += at_once) {
+    MatrixXd loads(unknowns(), std::min(at_once, forces - first));
+    for (Index k = 0; k < loads.cols(); ++k) {
+      const VectorXd shares = weights.col((first + k) / 3);
+      loads.col(k) =
+          face.on_body(Eigen::Vector3d::Unit((first + k) % 3) * shares.transpose(), unknowns());
+    }
+    const MatrixXd answer = solve(loads);
+    for (Index k = 0; k < loads.cols(); ++k)
+      compliance.col(first + k) = (face.of_body(answer.col(k)) * weights).reshaped();
+  }
+  return (compliance + compliance.transpose()) / 2;
+}
+
 ReducedBody ElasticBody::reduce(int modes, const Matrix3Xd& points) const {
   return implementation_->reduce({modes, 0}, points);
 }

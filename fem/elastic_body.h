@@ -80,6 +80,10 @@ class ElasticBody {
   // Of a head's loaded face; a mould's, being no disc, has none.
   FaceMotion face_motion(const Eigen::VectorXd& displacement) const;
 
+  // Displacements (x, y, z at point 0, at point 1, ...) of the loaded face at points (3, n) [m]
+  // under unit forces at the same places [m/N], symmetric: one solution for each force.
+  Eigen::MatrixXd face_compliance(const Eigen::Matrix3Xd& points) const;
+
   // The most compliant `modes` shapes of the loaded face (see reduced_body.h), sampled at `points`.
   // A number that parts a pair (cos, sin) keeps the one of them that moves the face's point on +x.
   ReducedBody reduce(int modes, const Eigen::Matrix3Xd& points) const;

@@ -14,24 +14,22 @@ Eigen::VectorXd gauss_points(int count) {
   return Eigen::Vector3d(-1, 0, 1) * std::sqrt(0.6);
 }
 
-// Weights (Gauss points, nodes a side) of the polynomial through the Gauss points, at the nodes.
-Eigen::MatrixXd extrapolation(int count, int degree) {
+// Weights (Gauss points, places) of the polynomial through the Gauss points, at places in [-1, 1].
+Eigen::MatrixXd interpolation(int count, const Eigen::VectorXd& places) {
   const Eigen::VectorXd gauss = gauss_points(count);
-  Eigen::MatrixXd weights = Eigen::MatrixXd::Ones(count, degree + 1);
-  for (int n = 0; n <= degree; ++n)
+  Eigen::MatrixXd weights = Eigen::MatrixXd::Ones(count, places.size());
+  for (int n = 0; n < places.size(); ++n)
     for (int p = 0; p < count; ++p)
       for (int other = 0; other < count; ++other)
-        if (other != p)
-          weights(p, n) *= (2.0 * n / degree - 1 - gauss[other]) / (gauss[p] - gauss[other]);
+        if (other != p) weights(p, n) *= (places[n] - gauss[other]) / (gauss[p] - gauss[other]);
   return weights;
 }
 
-// The same in three directions, first local coordinate fastest; `across` Gauss points along the
-// first, `degree` along the others.
-Eigen::MatrixXd extrapolation_in_space(int across, int degree) {
-  const Eigen::MatrixXd first = extrapolation(across, degree);
-  const Eigen::MatrixXd other = extrapolation(degree, degree);
-  const int nodes = degree + 1;
+// The same from Gauss points to nodes, in three directions, first local coordinate fastest: `first`
+// (Gauss points, nodes) along that one, `degree` Gauss points along the others.
+Eigen::MatrixXd extrapolation_in_space(const Eigen::MatrixXd& first, int degree) {
+  const int across = static_cast<int>(first.rows()), nodes = degree + 1;
+  const Eigen::MatrixXd other = interpolation(degree, Eigen::VectorXd::LinSpaced(nodes, -1, 1));
   Eigen::MatrixXd weights(across * degree * degree, nodes * nodes * nodes);
   for (int p = 0; p < weights.rows(); ++p)
     for (int n = 0; n < weights.cols(); ++n)
@@ -47,7 +45,10 @@ StressField recover_stress(const Elements& elements, const Steel& steel,
   const ElasticityMatrix elasticity = elasticity_matrix(steel);
   const GaussPoints& gauss = elements.superconvergent;
   const int degree = elements.degree, across = gauss.per_element / (degree * degree);
-  const Eigen::MatrixXd to_nodes = extrapolation_in_space(across, degree);
+  const Eigen::VectorXd side = Eigen::VectorXd::LinSpaced(degree + 1, -1, 1);
+  const Eigen::MatrixXd to_nodes = extrapolation_in_space(interpolation(across, side), degree);
+  const Eigen::MatrixXd pressure_to_nodes = extrapolation_in_space(
+      interpolation(across, gauss_points(degree)) * interpolation(degree, side), degree);
   const int nodes = elements.nodes_per_element();
 
   StressField sum = StressField::Zero(6, elements.nodes.cols());
@@ -59,7 +60,10 @@ StressField recover_stress(const Elements& elements, const Steel& steel,
     for (int a = 0; a < nodes; ++a) local.segment<3>(3 * a) = displacement.segment<3>(3 * node[a]);
     for (int q = 0; q < gauss.per_element; ++q)
       at_points.col(q) = elasticity * (strain_operator(gauss.gradient_at(e, q)) * local);
-    const StressField at_nodes = at_points * to_nodes;
+    const Eigen::RowVectorXd mean = at_points.topRows<3>().colwise().mean();
+    at_points.topRows<3>().rowwise() -= mean;
+    StressField at_nodes = at_points * to_nodes;
+    at_nodes.topRows<3>().rowwise() += mean * pressure_to_nodes;
     for (int a = 0; a < nodes; ++a) {
       sum.col(node[a]) += at_nodes.col(a);
       ++meeting[node[a]];

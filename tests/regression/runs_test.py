@@ -117,6 +117,37 @@ class Runs(unittest.TestCase):
         work = booked["energy_work_of_walls"] + booked["energy_work_of_gravity"]
         np.testing.assert_allclose(known - known[0], work - work[0], atol=1e-9 * work[-1])
 
+    def test_maps_of_a_rigid_mould_hold_what_the_mix_presses(self):
+        # Resultants of the map against the history: axially to the 1 % of a row at either end of
+        # the gyration, radially less what the chords of 24 sectors take, 1 - cos(pi / 24).
+        tiny = RIGID + ["stones.count=60", "mould.diameter=33 mm", "gyration.ramp=0.2 s",
+                        "gyration.speed=2 rev/s", "gyration.count=1", "fill.rest_energy=0.1",
+                        "output.gauge=none"]
+        plain, _ = self.gyrate("plain", tiny)
+        mapped, summary = self.gyrate("mapped", tiny + ["output.maps=true"])
+        for key in plain:
+            self.assertEqual(plain[key].tobytes(), mapped[key].tobytes(), key)
+        folder = os.path.join(self.place.name, "mapped")
+        with h5py.File(os.path.join(folder, "results.h5")) as file:
+            wall = {key: values[:] for key, values in file["walls/mould"].items()}
+        self.assertEqual(set(wall["gyration"]), {1})
+        self.assertNotIn("hoop_stress", wall)  # there is no steel to be stressed
+        levels = np.unique(wall["height"])
+        cell = np.pi * summary["mould_diameter_m"] / 24 * (levels[1] - levels[0])
+        ends = (wall["height"] == levels[0]) | (wall["height"] == levels[-1])
+        area = np.where(ends, cell / 2, cell)
+        gyrating = mapped["gyration"] > 0
+        axial = np.sum(wall["axial_traction"] * area)
+        expected = np.mean(mapped["mould_axial_force"][gyrating])
+        self.assertGreater(abs(expected), 1)
+        self.assertAlmostEqual(axial, expected, delta=0.01 * abs(expected))
+        push = np.sum(wall["normal_traction"] * area)
+        pressed = np.mean(mapped["mould_force"][gyrating])
+        self.assertAlmostEqual(push, pressed, delta=0.02 * pressed)
+        draw = os.path.join(SCENES, "..", "stress_maps.py")
+        subprocess.run(["/usr/bin/python3", draw, folder], check=True)
+        self.assertTrue(os.path.exists(os.path.join(folder, "mould_map.png")))
+
     def test_the_uplift_first_falls_then_rises(self):
         # Olsson, Jelagin, Partl, section 3.2: compression first, then an uplift.
         history, _ = self.run_scene("flow", "flow_test", "flow_sma11_150C.toml", [])

@@ -34,6 +34,7 @@ TEST_F(SceneGauges, may_be_given_or_taken_away_by_an_option) {
   const std::string one =
       std::string(least) + steel + "[[output.gauge]]\nangle = 0\nheight = \"20 mm\"\n";
   EXPECT_THAT(read(one, {"output.gauge=none"}).gauges, IsEmpty());
+  EXPECT_THAT(read(least, {"output.gauge=none"}).gauges, IsEmpty());
   EXPECT_EQ(
       read(one, {"output.gauge=[{angle=1, height=0.01}, {angle=2, height=0.02}]"}).gauges.size(),
       2);
