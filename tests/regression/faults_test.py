@@ -151,7 +151,11 @@ class Faults(unittest.TestCase):
         self.break_and_resume([signal.SIGKILL], STEEL, 4)
 
     def test_a_hundred_kills_do_not_change_a_bit(self):
-        self.break_and_resume([signal.SIGKILL], STEEL, 100)
+        # With rigid walls for most of them: a run in elastic steel is mostly its preparation.
+        self.break_and_resume([signal.SIGKILL], RIGID, 85)
+        self.place.cleanup()
+        os.mkdir(self.place.name)
+        self.break_and_resume([signal.SIGKILL], STEEL, 15)
 
     def test_kills_do_not_change_a_bit_of_any_output(self):
         unbroken = self.break_and_resume([signal.SIGKILL, signal.SIGTERM], OUTPUTS, 3)
