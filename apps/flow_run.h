@@ -4,14 +4,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <iterator>
 #include <limits>
 
 #include "apps/bed.h"
+#include "apps/bed_results.h"
 #include "apps/findings.h"
 #include "apps/pictures.h"
 #include "apps/progress.h"
 #include "apps/session.h"
 #include "apps/stone_picture.h"
+#include "apps/time_budget.h"
 
 namespace apps {
 
@@ -23,7 +28,7 @@ class FlowRun {
 
   // The stages in their order; each does what is left of it in a continued run. `pulse` is called
   // after every step.
-  void fill(Progress& progress, const Pulse& pulse);
+  void fill(Recorder& recorder, Progress& progress, const Pulse& pulse);
   void press(Recorder& recorder, Progress& progress, const Pulse& pulse);
   std::vector<Finding> findings(double wall_seconds) const;
 
@@ -40,7 +45,8 @@ class FlowRun {
   void lower_strip();
   void mount_strip();
   void record(Recorder& recorder);
-  void draw();
+  void step();
+  void draw(Recorder& recorder);
   double displacement() const {  // of the strip [m]
     return scene_.flow.speed * (bed_.time() - started_at_);
   }
@@ -62,6 +68,8 @@ class FlowRun {
   double pressure_ = 0, largest_pressure_ = 0;  // under the strip [Pa]
   double uplift_ = 0, lowest_uplift_ = 0;       // [m]
   Means means_;
+  TimeBudget budget_;
+  FillingHistory filling_;
   double next_row_ = 0, next_picture_ = 0;  // [s]
   int pictures_ = 0;
   double last_picture_ = -std::numeric_limits<double>::infinity();  // its time [s]
@@ -104,6 +112,8 @@ FlowRun<Law>::FlowRun(const FlowTestScene& scene, const Mix& mix, const LawBook&
 
 template <class Law>
 void FlowRun<Law>::visit_state(Archive& item) {
+  budget_.visit_state(item);
+  filling_.visit_state(item);
   item("settling", settling_);
   item("lowered", lowered_);
   item("started_at", started_at_);
@@ -125,14 +135,17 @@ void FlowRun<Law>::visit_state(Archive& item) {
 }
 
 template <class Law>
-void FlowRun<Law>::fill(Progress& progress, const Pulse& pulse) {
+void FlowRun<Law>::fill(Recorder& recorder, Progress& progress, const Pulse& pulse) {
+  budget_.enter(TimeBudget::settling);
   const auto report = [&](double rest) {
+    filling_.record(recorder, bed_.time(), bed_.stones(), 0);
     progress.report(rest, fmt::format("settling: time {:.2f} s, rest {:.1e}", bed_.time(), rest));
   };
   settle(bed_, settling_, report, [&] {
     if (ledger_) ledger_->look(bed_);
     pulse();
   });
+  budget_.enter(TimeBudget::other);
 }
 
 template <class Law>
@@ -183,6 +196,20 @@ std::vector<Column> FlowRun<Law>::columns(const FlowTestScene& scene) {
 }
 
 template <class Law>
+void FlowRun<Law>::step() {
+  const bool timed = bed_.steps() % TimeBudget::sampling == 0;
+  const double began = timed ? wall_clock() : 0;
+  bed_.step();
+  const double stepped = timed ? wall_clock() : 0;
+  if (ledger_) ledger_->look(bed_);
+  means_.span += bed_.time_step();
+  means_.impulse += bed_.walls()[strip_].force.z * bed_.time_step();
+  if (!timed) return;
+  budget_.sample(TimeBudget::stones, stepped - began);
+  budget_.sample(TimeBudget::outputs, wall_clock() - stepped);
+}
+
+template <class Law>
 void FlowRun<Law>::record(Recorder& recorder) {
   const double force = means_.impulse / means_.span;
   pressure_ = force / strip_area();
@@ -209,21 +236,19 @@ void FlowRun<Law>::record(Recorder& recorder) {
 template <class Law>
 void FlowRun<Law>::press(Recorder& recorder, Progress& progress, const Pulse& pulse) {
   lower_strip();
+  budget_.enter(TimeBudget::stepping);
   const double length = scene_.flow.displacement / scene_.flow.speed;
   const double end = started_at_ + length;
   for (;;) {
     while (bed_.time() < std::min(next_row_, end)) {
-      bed_.step();
-      if (ledger_) ledger_->look(bed_);
-      means_.span += bed_.time_step();
-      means_.impulse += bed_.walls()[strip_].force.z * bed_.time_step();
+      step();
       pulse();
     }
     next_row_ += scene_.output.history_interval;
     record(recorder);
     if (bed_.time() >= end) break;
     if (scene_.output.picture_interval > 0 && bed_.time() >= next_picture_) {
-      draw();
+      draw(recorder);
       next_picture_ += scene_.output.picture_interval;
     }
     progress.report(
@@ -233,13 +258,15 @@ void FlowRun<Law>::press(Recorder& recorder, Progress& progress, const Pulse& pu
                     bed_.time() - started_at_, 1e3 * displacement(), 1e-3 * pressure_,
                     1e3 * uplift_, bed_.time_step()));
   }
-  draw();
+  draw(recorder);
+  budget_.enter(TimeBudget::other);
   recorder.flush();
   progress.finish();
 }
 
 template <class Law>
-void FlowRun<Law>::draw() {
+void FlowRun<Law>::draw(Recorder& recorder) {
+  const TimeBudget::Phase before = budget_.enter(TimeBudget::pictures);
   const double time = bed_.time() - started_at_;
   const dem::Vec3d& o = bed_.walls()[strip_].frame.origin;
   const dem::Vec3d& h = std::get<dem::Block>(bed_.walls()[strip_].surface).half;
@@ -251,6 +278,10 @@ void FlowRun<Law>::draw() {
   stone_series_.add(time, stones);
   strip_series_.add(time, strip);
   last_picture_ = time;
+  write_bed(recorder, bed_, started_at_);
+  recorder.write("/strip/low", std::array{o.x - h.x, o.y - h.y, o.z - h.z}, "m");
+  recorder.write("/strip/high", std::array{o.x + h.x, o.y + h.y, o.z + h.z}, "m");
+  budget_.enter(before);
 }
 
 template <class Law>
@@ -263,6 +294,7 @@ std::vector<Finding> FlowRun<Law>::findings(double wall_seconds) const {
                                     {"uplift_lowest_m", lowest_uplift_},
                                     {"uplift_end_m", uplift_}};
   found.insert(found.end(), own.begin(), own.end());
+  std::ranges::copy(budget_.findings(), std::back_inserter(found));
   if (ledger_) {
     found.push_back({"settling_energy_residual_share", settling_residual_});
     add_energies(found, ledger_->energies());

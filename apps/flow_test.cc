@@ -49,9 +49,12 @@ void press(const apps::Options& options) {
     const apps::Pulse pulse = session.pulse(state, scene.output.checkpoint_interval);
 
     apps::Progress settling(std::cout, isatty(STDOUT_FILENO), options.quiet);
-    run.fill(settling, pulse);
-    settling.finish();
     session.recorder().write("/stones/radius", mix.radius, "m");
+    session.recorder().write("/stones/shell_thickness", std::array{mix.shell}, "m");
+    session.recorder().write(
+        "/box/size", std::array{scene.flow.length, scene.flow.width, scene.flow.height}, "m");
+    run.fill(session.recorder(), settling, pulse);
+    settling.finish();
     apps::Progress pressing(std::cout, isatty(STDOUT_FILENO), options.quiet);
     run.press(session.recorder(), pressing, pulse);
     apps::write_summary(session.file("summary.json"), run.findings(session.wall_seconds()));

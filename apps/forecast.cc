@@ -32,6 +32,12 @@ std::string duration(double seconds) {
   return fmt::format("{:.1f} h", seconds / 3600);
 }
 
+std::string steel_share(const BedForecast& told) {
+  if (told.steel_seconds == 0) return "";
+  return fmt::format(", {:.2g} ms more with the steel, {} to prepare that",
+                     1e3 * told.steel_seconds_per_step, duration(told.steel_seconds));
+}
+
 }  // namespace
 
 BedForecast forecast(const BedPlan& plan, const Mix& mix, const Loading& loading) {
@@ -68,8 +74,8 @@ std::vector<std::string> forecast_lines(const BedForecast& told, const NumericsS
                   told.load),
       fmt::format("steps            about {:.1e} ({:.0f} s of settling, {:.0f} s after it)",
                   told.steps(), told.settling_time, told.loaded_time),
-      fmt::format("time to take     about {} here ({:.2g} ms a step, elastic steel not counted)",
-                  duration(told.seconds()), 1e3 * told.seconds_per_step),
+      fmt::format("time to take     about {} here ({:.2g} ms a step{})", duration(told.seconds()),
+                  1e3 * told.seconds_per_step, steel_share(told)),
       fmt::format("inertial number  {:.1e} (quasi-static below {:.0e})", told.inertial_number,
                   quasi_static)};
   const double most = numerics.mass_scale * std::pow(quasi_static / told.inertial_number, 2);

@@ -37,10 +37,15 @@ struct BedForecast {
   double load;                        // stone contact force that limits the latter [N]
   double settling_time, loaded_time;  // simulated [s]
   double seconds_per_step;            // of the wall clock, without elastic steel
+  double steel_seconds = 0;           // of the wall clock, from the meshes to the reduced bodies
+  double steel_seconds_per_step = 0;  // of the wall clock, after the settling
   double inertial_number;             // [-]
   double widths;                      // container width / largest stone [-]
-  double steps() const { return settling_time / loose_step + loaded_time / loaded_step; }
-  double seconds() const { return seconds_per_step * steps(); }
+  double loaded_steps() const { return loaded_time / loaded_step; }
+  double steps() const { return settling_time / loose_step + loaded_steps(); }
+  double seconds() const {
+    return seconds_per_step * steps() + steel_seconds + steel_seconds_per_step * loaded_steps();
+  }
 };
 
 // The part that is arithmetic.

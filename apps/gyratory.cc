@@ -17,13 +17,16 @@ void foretell(const apps::GyratoryScene& scene, const apps::Mix& mix, const apps
   const apps::BedPlan plan = {scene.stones, scene.fill, scene.numerics, scene.run.seed,
                               dem::RoundMould{machine.mould_radius}};
   const apps::Loading loading = apps::gyratory_loading(scene, machine);
+  const apps::SteelForecast steel = apps::steel_forecast(scene, machine);
   std::cout << "mould            " << 2e3 * machine.mould_radius << " mm wide\n";
   apps::with_law(book, [&]<class Law>() {
-    const apps::BedForecast told = apps::forecast_bed<Law>(plan, mix, book, loading);
+    apps::BedForecast told = apps::forecast_bed<Law>(plan, mix, book, loading);
+    told.steel_seconds = steel.seconds;
+    told.steel_seconds_per_step = steel.seconds_per_step;
     for (const std::string& line : apps::forecast_lines(told, scene.numerics))
       std::cout << line << '\n';
   });
-  for (const std::string& line : apps::steel_forecast(scene, machine)) std::cout << line << '\n';
+  for (const std::string& line : steel.lines) std::cout << line << '\n';
 }
 
 void compact(const apps::Options& options) {
@@ -52,11 +55,12 @@ void compact(const apps::Options& options) {
     const apps::Pulse pulse = session.pulse(state, scene.output.checkpoint_interval);
 
     apps::Progress settling(std::cout, isatty(STDOUT_FILENO), options.quiet);
-    run.fill(settling, pulse);
-    settling.finish();
-    run.close();
     session.recorder().write("/mould/diameter", std::array{2 * machine.mould_radius}, "m");
     session.recorder().write("/stones/radius", mix.radius, "m");
+    session.recorder().write("/stones/shell_thickness", std::array{mix.shell}, "m");
+    run.fill(session.recorder(), settling, pulse);
+    settling.finish();
+    run.close();
     apps::Progress compaction(std::cout, isatty(STDOUT_FILENO), options.quiet);
     run.compact(session.recorder(), pictures, compaction, pulse);
     apps::write_summary(session.file("summary.json"), run.findings(session.wall_seconds()));

@@ -48,10 +48,6 @@ std::vector<Finding> gyratory_findings(const GyratoryScene& scene, const Mix& mi
                                     {"commanded_angle_deg", rows.mean("commanded_angle")},
                                     {"internal_angle_deg", rows.mean("internal_angle")}};
   found.insert(found.end(), own.begin(), own.end());
-  if (outcome.head || outcome.mould) {
-    found.push_back({"steel_setup_seconds", outcome.steel_setup_seconds});
-    found.push_back({"coupling_share_of_step", outcome.coupling_share});
-  }
   if (outcome.head) {
     const SteelPart::Tilt tilt = outcome.head->tilt();
     found.push_back({"head_tilt_per_moment_rad_per_Nm", tilt.per_moment});

@@ -25,8 +25,6 @@ struct Rows {
 struct GyratoryOutcome {
   BedReport bed;
   double wall_seconds;
-  double steel_setup_seconds;  // from the meshes to the reduced bodies
-  double coupling_share;       // time of the exchange with the steel / that of the bed's step [-]
   std::int64_t settled_steps;
   double settled_height;  // [m]
   double head_mass;       // [kg]

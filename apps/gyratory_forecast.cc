@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "apps/progress.h"
 #include "apps/steel.h"
 
 namespace apps {
@@ -18,6 +19,18 @@ std::string line(const char* name, const SteelPart& part) {
       wall.gain().size() - wall.oscillators());
 }
 
+// Wall time of an exchange, the static modes' share included [s].
+double measured_exchange(SteelPart& part, dem::Wall& wall) {
+  constexpr double time_step = 1e-5;    // of about any run [s]
+  constexpr double long_enough = 0.05;  // to time [s]
+  const double began = wall_clock();
+  int exchanges = 0;
+  double spent = 0;
+  for (; spent < long_enough; spent = wall_clock() - began)
+    for (int k = 0; k < 100; ++k, ++exchanges) part.exchange(wall, time_step);
+  return spent / exchanges;
+}
+
 }  // namespace
 
 Loading gyratory_loading(const GyratoryScene& scene, const Machine& machine) {
@@ -26,17 +39,20 @@ Loading gyratory_loading(const GyratoryScene& scene, const Machine& machine) {
           gyration.ramp + gyration.count / gyration.speed, 2 * machine.mould_radius};
 }
 
-std::vector<std::string> steel_forecast(const GyratoryScene& scene, const Machine& machine) {
-  std::vector<std::string> lines;
-  if (scene.head.elastic) {
-    dem::Wall plate;
-    lines.push_back(line("head", SteelPart(*scene.head.elastic, machine, scene.numerics, plate)));
-  }
-  if (scene.mould.elastic) {
-    dem::Wall ring;
-    lines.push_back(line("mould", SteelPart(*scene.mould.elastic, machine, scene.numerics, ring)));
-  }
-  return lines;
+SteelForecast steel_forecast(const GyratoryScene& scene, const Machine& machine) {
+  SteelForecast told;
+  const auto foretell = [&](const char* name, const auto& elastic) {
+    if (!elastic) return;
+    const double began = wall_clock();
+    dem::Wall wall;
+    SteelPart part(*elastic, machine, scene.numerics, wall);
+    told.seconds += wall_clock() - began;
+    told.seconds_per_step += measured_exchange(part, wall);
+    told.lines.push_back(line(name, part));
+  };
+  foretell("head", scene.head.elastic);
+  foretell("mould", scene.mould.elastic);
+  return told;
 }
 
 }  // namespace apps

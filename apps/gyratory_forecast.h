@@ -8,7 +8,13 @@ namespace apps {
 
 Loading gyratory_loading(const GyratoryScene& scene, const Machine& machine);
 
-// How the modes of each elastic body will move; meshes and reduces the bodies.
-std::vector<std::string> steel_forecast(const GyratoryScene& scene, const Machine& machine);
+// Of the elastic bodies, which are meshed and reduced for it.
+struct SteelForecast {
+  std::vector<std::string> lines;  // how the modes of each will move
+  double seconds = 0;              // of the wall clock, for all that [s]
+  double seconds_per_step = 0;     // of the wall clock, to exchange with all of them
+};
+
+SteelForecast steel_forecast(const GyratoryScene& scene, const Machine& machine);
 
 }  // namespace apps

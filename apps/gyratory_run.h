@@ -4,17 +4,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <numbers>
 #include <optional>
 
 #include "apps/bed.h"
+#include "apps/bed_results.h"
 #include "apps/gyratory_findings.h"
 #include "apps/gyratory_pictures.h"
 #include "apps/machine.h"
 #include "apps/progress.h"
 #include "apps/session.h"
 #include "apps/steel.h"
+#include "apps/time_budget.h"
 #include "apps/wall_outputs.h"
 
 namespace apps {
@@ -27,7 +30,7 @@ class GyratoryRun {
 
   // The stages in their order; each does what is left of it in a continued run. `pulse` is called
   // after every step.
-  void fill(Progress& progress, const Pulse& pulse);
+  void fill(Recorder& recorder, Progress& progress, const Pulse& pulse);
   void close();
   void compact(Recorder& recorder, GyratoryPictures& pictures, Progress& progress,
                const Pulse& pulse);
@@ -56,7 +59,7 @@ class GyratoryRun {
   void step();
   std::vector<double> row();
   void record(Recorder& recorder);
-  void draw(GyratoryPictures& pictures);
+  void draw(Recorder& recorder, GyratoryPictures& pictures);
 
   const GyratoryScene& scene_;
   const Mix& mix_;
@@ -76,8 +79,8 @@ class GyratoryRun {
   Means means_;
   double next_row_ = 0, next_picture_ = 0;  // [s]
   WallOutputs wall_outputs_;
-  double setup_seconds_ = 0;                    // from the meshes to the reduced bodies
-  double exchanging_ = 0, stepping_ = 0;        // wall clock of sampled steps [s]
+  TimeBudget budget_;
+  FillingHistory filling_;
   std::vector<std::vector<double>> ramp_rows_;  // held until air_voids_decrease has its reference
   std::vector<std::vector<double>> rows_;       // of the last two gyrations, for the findings
   std::optional<double> voids_at_start_;        // when the gyrations begin [-]
@@ -106,6 +109,8 @@ GyratoryRun<Law>::GyratoryRun(const GyratoryScene& scene, const Mix& mix, const 
 
 template <class Law>
 void GyratoryRun<Law>::visit_state(Archive& item) {
+  budget_.visit_state(item);
+  filling_.visit_state(item);
   item("settling", settling_);
   item("closed", closed_);
   item("closed_at", closed_at_);
@@ -139,14 +144,17 @@ Law GyratoryRun<Law>::wall_law(Part part, bool bonds) const {
 }
 
 template <class Law>
-void GyratoryRun<Law>::fill(Progress& progress, const Pulse& pulse) {
+void GyratoryRun<Law>::fill(Recorder& recorder, Progress& progress, const Pulse& pulse) {
+  budget_.enter(TimeBudget::settling);
   const auto report = [&](double rest) {
+    filling_.record(recorder, bed_.time(), bed_.stones(), 0);
     progress.report(rest, fmt::format("settling: time {:.2f} s, rest {:.1e}", bed_.time(), rest));
   };
   settle(bed_, settling_, report, [&] {
     if (ledger_) ledger_->look(bed_);
     pulse();
   });
+  budget_.enter(TimeBudget::other);
 }
 
 template <class Law>
@@ -195,7 +203,7 @@ dem::Ram GyratoryRun<Law>::ram() const {
 // Puts the inclined head on the bed and lets shells bond from now on.
 template <class Law>
 void GyratoryRun<Law>::mount_head() {
-  const double began = wall_clock();
+  const TimeBudget::Phase before = budget_.enter(TimeBudget::steel_setup);
   dem::Wall plate;
   plate.name = "head";
   plate.surface = dem::Disc{machine_.plate_radius};
@@ -211,7 +219,7 @@ void GyratoryRun<Law>::mount_head() {
   bed_.add_wall(plate, wall_law(head, true));
   if (scene_.mould.elastic)
     elastic_mould_.emplace(*scene_.mould.elastic, machine_, scene_.numerics, bed_.walls()[mould]);
-  setup_seconds_ = wall_clock() - began;
+  budget_.enter(before);
   wall_outputs_.begin(bed_.walls(), elastic_mould_);
   bed_.set_laws(book_.law<Law>({std::nullopt, scene_.stones.friction}, true),
                 {wall_law(floor, true), wall_law(mould, true), wall_law(head, true)});
@@ -229,10 +237,10 @@ double GyratoryRun<Law>::air_voids(double plate_height) const {
 
 template <class Law>
 void GyratoryRun<Law>::step() {
-  constexpr std::int64_t sampling = 64;  // steps between those that are timed
-  const bool timed = bed_.steps() % sampling == 0;
+  const bool timed = bed_.steps() % TimeBudget::sampling == 0;
   const double began = timed ? wall_clock() : 0;
   bed_.step();
+  const double stepped = timed ? wall_clock() : 0;
   if (ledger_) ledger_->look(bed_);
   const double dt = bed_.time_step();
   dem::Wall& plate = bed_.walls()[head];
@@ -240,12 +248,13 @@ void GyratoryRun<Law>::step() {
   wall_outputs_.look(bed_.walls(), dt, plate.frame.origin.z, [this](int part) {
     return bed_.wall_contacts(part).bending_power(bed_.walls()[part]);
   });
-  const double stepped = timed ? wall_clock() : 0;
+  const double looked = timed ? wall_clock() : 0;
   if (elastic_head_) elastic_head_->exchange(plate, dt);
   if (elastic_mould_) elastic_mould_->exchange(ring, dt);
   if (timed) {
-    stepping_ += stepped - began;
-    exchanging_ += wall_clock() - stepped;
+    budget_.sample(TimeBudget::stones, stepped - began);
+    budget_.sample(TimeBudget::outputs, looked - stepped);
+    budget_.sample(TimeBudget::steel, wall_clock() - looked);
   }
   means_.span += dt;
   means_.force += plate.force * dt;
@@ -321,6 +330,7 @@ void GyratoryRun<Law>::record(Recorder& recorder) {
     recorder.append(r);
   };
   if (gyration() < 0) {
+    filling_.record(recorder, bed_.time(), bed_.stones(), values[4]);
     ramp_rows_.push_back(std::move(values));
     return;
   }
@@ -337,6 +347,7 @@ void GyratoryRun<Law>::compact(Recorder& recorder, GyratoryPictures& pictures, P
                                const Pulse& pulse) {
   const double length = scene_.gyration.ramp + scene_.gyration.count / scene_.gyration.speed;
   const double end = closed_at_ + length;
+  budget_.enter(TimeBudget::stepping);
   const double began = wall_clock();
   const std::int64_t first_step = bed_.steps();
   for (;;) {
@@ -348,7 +359,7 @@ void GyratoryRun<Law>::compact(Recorder& recorder, GyratoryPictures& pictures, P
     record(recorder);
     if (bed_.time() >= end) break;
     if (scene_.output.picture_interval > 0 && bed_.time() >= next_picture_) {
-      draw(pictures);
+      draw(recorder, pictures);
       next_picture_ += scene_.output.picture_interval;
     }
     const double height = dem::plate_face(bed_.walls()[head]).mean_height;
@@ -361,31 +372,32 @@ void GyratoryRun<Law>::compact(Recorder& recorder, GyratoryPictures& pictures, P
                     bed_.time() - closed_at_, std::max(0.0, gyration()), 1e3 * height,
                     1e2 * air_voids(height), rate));
   }
-  draw(pictures);
+  draw(recorder, pictures);
+  budget_.enter(TimeBudget::other);
   recorder.flush();
   progress.finish();
 }
 
 template <class Law>
-void GyratoryRun<Law>::draw(GyratoryPictures& pictures) {
+void GyratoryRun<Law>::draw(Recorder& recorder, GyratoryPictures& pictures) {
+  const TimeBudget::Phase before = budget_.enter(TimeBudget::pictures);
   pictures.draw(bed_.time() - closed_at_, bed_.stones(), bed_.coordination(),
                 {bed_.walls()[head], elastic_head_}, {bed_.walls()[mould], elastic_mould_});
+  write_bed(recorder, bed_, closed_at_);
+  const dem::PlateFace face = dem::plate_face(bed_.walls()[head]);
+  const dem::Vec3d& centre = bed_.walls()[head].frame.origin;
+  recorder.write("/head/centre", std::array{centre.x, centre.y, face.mean_height}, "m");
+  recorder.write("/head/normal", std::array{face.normal.x, face.normal.y, face.normal.z}, "1");
+  budget_.enter(before);
 }
 
 template <class Law>
 std::vector<Finding> GyratoryRun<Law>::findings(double wall_seconds) const {
-  const GyratoryOutcome outcome = {report_on(bed_),
-                                   wall_seconds,
-                                   setup_seconds_,
-                                   stepping_ > 0 ? exchanging_ / stepping_ : 0,
-                                   settled_steps_,
-                                   settled_height_,
-                                   head_mass_,
-                                   voids_at_start_.value(),
-                                   elastic_head_,
-                                   elastic_mould_,
-                                   {columns(scene_), rows_}};
+  const GyratoryOutcome outcome = {report_on(bed_), wall_seconds,   settled_steps_,
+                                   settled_height_, head_mass_,     voids_at_start_.value(),
+                                   elastic_head_,   elastic_mould_, {columns(scene_), rows_}};
   std::vector<Finding> found = gyratory_findings(scene_, mix_, machine_, outcome);
+  std::ranges::copy(budget_.findings(), std::back_inserter(found));
   if (ledger_) {
     found.push_back({"settling_energy_residual_share", settling_residual_});
     add_energies(found, ledger_->energies());

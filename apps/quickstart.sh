@@ -15,4 +15,4 @@ done
 
 build/bin/gyratory apps/scenes/gyratory_sma11_150C.toml --out "$out"
 /usr/bin/python3 apps/plot_run.py "$out" >/dev/null
-echo "The picture of the run: $PWD/$out/run.png"
+echo "Open this in a browser: $PWD/$out/report.html"

@@ -16,17 +16,21 @@ Eigen::Map<const Eigen::VectorXd> letters(const dem::SurfaceField& field) {
   return {&field.impulse.front().x, 3 * static_cast<Eigen::Index>(field.size())};
 }
 
-// Hoop stress of the mould's inner face at the nodes of its letterbox, by the full body [Pa].
+}  // namespace
+
 std::vector<double> hoop_stress_at_nodes(const fem::ElasticBody& body,
                                          const dem::SurfaceField& field,
                                          const Eigen::VectorXd& forces) {
-  Eigen::VectorXd load = Eigen::VectorXd::Zero(body.unknowns());
-  for (std::size_t n = 0; n < field.size(); ++n) {
-    const auto force = forces.segment<3>(3 * static_cast<Eigen::Index>(n));
-    const dem::Vec3d& x = field.node[n];
-    if (!force.isZero(0)) load += body.point_load({x.x, x.y, x.z}, force);
-  }
-  const fem::StressField stress = body.stress(body.solve(load).col(0));
+  // Spread between the nodes: steel is compressed below a force that stands on a point, where the
+  // same force as a pressure stretches it.
+  const auto traction = [&](const Eigen::Vector3d& x) {
+    const dem::Stencil near = field.stencil({x.x(), x.y(), x.z()});
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (std::size_t k = 0; k < near.node.size(); ++k)
+      sum += near.weight[k] / field.area[near.node[k]] * forces.segment<3>(3 * near.node[k]);
+    return sum;
+  };
+  const fem::StressField stress = body.stress(body.solve(body.face_load(traction)).col(0));
   std::vector<double> hoop;
   for (const dem::Vec3d& x : field.node) {
     Eigen::Index nearest;
@@ -40,8 +44,6 @@ std::vector<double> hoop_stress_at_nodes(const fem::ElasticBody& body,
   }
   return hoop;
 }
-
-}  // namespace
 
 Eigen::Matrix3Xd gauge_influence(const fem::ElasticBody& body, const dem::SurfaceField& field,
                                  const GaugeScene& gauge, double outer_radius) {

@@ -106,4 +106,10 @@ class WallOutputs {
 Eigen::Matrix3Xd gauge_influence(const fem::ElasticBody& body, const dem::SurfaceField& field,
                                  const GaugeScene& gauge, double outer_radius);
 
+// Hoop stress of a mould's inner face at the nodes of its letterbox, by the full body [Pa], under
+// forces at these nodes (3 each) [N] that stand for a traction between them.
+std::vector<double> hoop_stress_at_nodes(const fem::ElasticBody& body,
+                                         const dem::SurfaceField& field,
+                                         const Eigen::VectorXd& forces);
+
 }  // namespace apps

@@ -158,26 +158,6 @@ class Runs(unittest.TestCase):
         self.assertLess(history["displacement"][lowest], 0.6 * history["displacement"][-1])
         self.assertGreater(history["force"][-1], 0)
 
-    def test_a_report_of_runs_needs_no_other_file(self):
-        plot = os.path.join(SCENES, "..", "plot_run.py")
-        folders = []
-        for seed in ("1", "2"):
-            self.run_scene("run" + seed, "flow_test", "flow_sma11_150C.toml",
-                           ["stones.count=130", "flow.length=50 mm", "flow.width=35 mm",
-                            "flow.height=30 mm", "flow.strip_length=15 mm",
-                            "flow.displacement=0.15 mm", "run.seed=" + seed])
-            folders.append(os.path.join(self.place.name, "run" + seed))
-        done = subprocess.run(["/usr/bin/python3", plot, *folders, "--report"], check=True,
-                              capture_output=True, text=True)
-        with open(done.stdout.strip()) as file:
-            page = file.read()
-        self.assertEqual(page.count("<svg"), 3)  # the two runs and their comparison
-        self.assertTrue("uplift_lowest_m" in page and "seed = 2" in page)
-        self.assertEqual(re.findall(r'(?:src|href)="[^#][^"]*"', page), [])
-        # A finished run is drawn once and not watched any longer.
-        subprocess.run(["/usr/bin/python3", plot, folders[0], "--live", "1"], check=True, timeout=60)
-        self.assertTrue(os.path.exists(os.path.join(folders[0], "run.png")))
-
     def test_mistakes_end_with_status_2_and_nothing_written(self):
         folder = os.path.join(self.place.name, "never")
         for program, scene, override in (

@@ -1,0 +1,69 @@
+"""What a run left in its folder, in the units that are shown."""
+import json
+import tomllib
+
+import h5py
+import numpy as np
+
+# Stored unit: the unit that is shown, and the factor between them.
+SHOWN_AS = {"Pa": ("kPa", 1e-3), "m": ("mm", 1e3), "1": ("-", 1)}
+PERCENT = ("air_voids", "air_voids_decrease", "energy_residual_share")
+
+
+class Run:
+    """A run, finished or not; its histories may still be empty."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        self.name = folder.resolve().name
+        with h5py.File(folder / "results.h5", "r") as file:
+            self.columns = {name: column[:] for name, column in file["history"].items()}
+            self.units = {name: column.attrs["unit"] for name, column in file["history"].items()}
+            self.provenance = dict(file["provenance"].attrs)
+            self.tables = {}
+            for group in ("stones", "contacts", "wall_contacts", "fractures", "filling",
+                          "walls/mould", "head", "mould", "box", "strip"):
+                if group in file:
+                    self.tables[group] = {name: data[:] for name, data in file[group].items()}
+        summary = folder / "summary.json"
+        self.summary = json.loads(summary.read_text()) if summary.exists() else {}
+        self.began = len(self.columns["time"]) > 0
+        self.gyratory = "gyration" in self.columns
+
+    def scene_text(self):
+        stored = self.folder / "scene.toml"
+        return stored.read_text() if stored.exists() else self.provenance["scene"]
+
+    def scene(self):
+        return tomllib.loads(self.scene_text())
+
+    def sieves(self):
+        """Sieve openings [m] and the mass share that passes them, as the scene asked for."""
+        lines = (self.folder / "gradation.csv").read_text().splitlines()
+        rows = [line for line in lines if line.strip() and not line.startswith("#")]
+        table = np.loadtxt(rows[1:], delimiter=",", ndmin=2)  # below its heading
+        return 1e-3 * table[:, 0], 1e-2 * table[:, 1]
+
+    def table(self, group):
+        """A group of results.h5, or None where the run has not come so far."""
+        return self.tables.get(group)
+
+    def shown(self, name):
+        return self.columns[name] * self.factor(name)
+
+    def factor(self, name):
+        return 100 if name in PERCENT else SHOWN_AS.get(self.units[name], (None, 1))[1]
+
+    def unit(self, name):
+        return "%" if name in PERCENT else SHOWN_AS.get(self.units[name], (self.units[name],))[0]
+
+    def label(self, words, name):
+        return f"{words} [{self.unit(name)}]"
+
+    def gyrating(self):
+        """Which rows belong to gyrations and not to the pressure ramp before them."""
+        ramp = max(0, np.count_nonzero(self.columns["gyration"] <= 0) - 1)
+        return slice(ramp, None)
+
+    def gyration_at(self, time):
+        return np.interp(time, self.columns["time"], self.columns["gyration"])
