@@ -92,7 +92,9 @@ TEST(hoop_stress, of_a_mould_under_uniform_pressure_is_lames) {
   const std::vector<double> hoop = apps::hoop_stress_at_nodes(body, field, forces);
   const double exact = pressure * (b * b + a * a) / (b * b - a * a);
   for (std::size_t n = 0; n < field.size(); ++n)
-    if (std::abs(field.node[n].z - 0.07) < 0.02) EXPECT_NEAR(hoop[n], exact, 0.03 * exact) << n;
+    if (std::abs(field.node[n].z - 0.07) < 0.02) {
+      EXPECT_NEAR(hoop[n], exact, 0.03 * exact) << n;
+    }
 }
 
 // Maxwell (1864): the influence of a force is the strain that this force makes. 1e-8 is the
