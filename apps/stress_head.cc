@@ -160,9 +160,10 @@ StressReport press_off_centre(const StressCase& given) {
 // A force at the centre of the face, with elements small enough for the field close to it. It is a
 // half-space's while the distance is small against plate and shaft; differences of displacement
 // drop the plate's own, so that what is left goes with the third power of that ratio: 0.4^3 / 8 at
-// 2 r.
+// 2 r. A shaft as long as it is wide is all of it that the field feels.
 std::vector<StressRow> beside_a_point(const StressCase& given) {
-  const fem::Head& head = given.head;
+  fem::Head head = given.head;
+  head.shaft_length = std::min(head.shaft_length, head.shaft_diameter);
   const double force = given.load.force;
   const double near = 0.2 * std::min(head.plate_thickness, head.shaft_diameter / 2), far = 2 * near;
   fem::MeshSize mesh = given.mesh;
