@@ -47,10 +47,7 @@ def draw_fractures_over_time(axes, runs):
     classes = size_classes(runs[0])
     for run in runs:
         table = run.table("fractures")
-        gyratory = run.gyratory
-        at = run.gyration_at(table["time"]) if gyratory else np.interp(
-            table["time"], run.columns["time"], run.shown("displacement"))
-        end = run.shown("gyration" if gyratory else "displacement")[-1]
+        at, end = table["time"], run.columns["time"][-1]
         groups = [(None, np.ones(len(at), bool))]
         if len(runs) == 1:
             sizes = np.digitize(broken_diameters(run), classes) - 1
@@ -58,11 +55,11 @@ def draw_fractures_over_time(axes, runs):
                       for c in range(len(classes) - 1) if np.any(sizes == c)]
         for k, (legend, chosen) in enumerate(groups):
             steps = np.sort(at[chosen])
-            axes.step([0, *steps, end], [*range(len(steps) + 1), len(steps)], where="post",
+            axes.step([min(0, *at, 0), *steps, end], [*range(len(steps) + 1), len(steps)], where="post",
                       label=legend,
                       color=colour_of(runs, run) if len(runs) > 1 else OF_CURVES[k % 4])
     axes.set_title("Fractures" + (" by size" if len(runs) == 1 else ""))
-    axes.set_xlabel("gyrations [-]" if runs[0].gyratory else "strip displacement [mm]")
+    axes.set_xlabel("time from the beginning of the history [s]")
     axes.set_ylabel("broken stones [-]")
     whole_numbers(axes.yaxis)
     if axes.get_legend_handles_labels()[0]:
