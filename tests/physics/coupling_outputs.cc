@@ -78,10 +78,12 @@ TEST(gauge, reads_lames_hoop_strain_under_uniform_pressure) {
 }
 
 // Lame (1852): pressure p on the whole inner face stretches it by p (b^2 + a^2) / (b^2 - a^2), far
-// from the clamped base and from the rim. 3 %: the letterbox is as coarse as in a run, the default
-// mesh is right to 1 %.
+// from the ends; a base that slides leaves out the bending of a clamped one. 2 %: the letterbox is
+// as coarse as in a run, the default mesh is right to 1 %.
 TEST(hoop_stress, of_a_mould_under_uniform_pressure_is_lames) {
-  const fem::ElasticBody body(mould, {});
+  fem::Mould sliding = mould;
+  sliding.base = fem::BaseSupport::guided;
+  const fem::ElasticBody body(sliding, {});
   const double a = mould.inner_diameter / 2, b = a + mould.wall_thickness, pressure = 300e3;
   const dem::SurfaceField field(dem::CylinderGrid{a, mould.height, 9, 24});
   Eigen::VectorXd forces(3 * static_cast<Eigen::Index>(field.size()));
@@ -93,7 +95,7 @@ TEST(hoop_stress, of_a_mould_under_uniform_pressure_is_lames) {
   const double exact = pressure * (b * b + a * a) / (b * b - a * a);
   for (std::size_t n = 0; n < field.size(); ++n)
     if (std::abs(field.node[n].z - 0.07) < 0.02) {
-      EXPECT_NEAR(hoop[n], exact, 0.03 * exact) << n;
+      EXPECT_NEAR(hoop[n], exact, 0.02 * exact) << n;
     }
 }
 
