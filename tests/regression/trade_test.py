@@ -102,6 +102,24 @@ class Trade(unittest.TestCase):
         self.assertEqual(answer.returncode, 0, answer.stderr)
         self.assertRegex(answer.stdout, r"\| the same \| stopped: .*stone \d+, time .* overlap")
 
+    def test_the_small_study_tells_what_speed_costs(self):
+        # The energy ledger watches from outside: its setting errs as the standard does, bit by bit.
+        study = os.path.join(SCENES, "studies", "gyratory_small.toml")
+        answer = subprocess.run([os.path.join(BIN, "trade"), study, "--out", self.out, "--quiet"],
+                                capture_output=True, text=True)
+        self.assertEqual(answer.returncode, 0, answer.stderr)
+        with h5py.File(os.path.join(self.out, "study.h5")) as file:
+            ledger, standard = file["settings/energy_ledger"], file["settings/standard"]
+            for quantity, found in standard.items():
+                if isinstance(found, h5py.Group):
+                    for name, value in found.items():
+                        self.assertTrue((ledger[quantity][name][:] == value[:]).all(), quantity)
+            self.assertGreater(min(ledger["seconds"]), max(standard["seconds"]))
+            self.assertGreater(min(file["settings/reference/seconds"]), max(standard["seconds"]))
+        plot = os.path.join(SCENES, "..", "plot_trade.py")
+        subprocess.run([sys.executable, plot, self.out], check=True, capture_output=True)
+        self.assertTrue(os.path.exists(os.path.join(self.out, "trade.svg")))
+
 
 if __name__ == "__main__":
     unittest.main(argv=[sys.argv[0], "Trade.test_" + sys.argv[3]])
