@@ -33,6 +33,7 @@ struct BedForecast {
   double stone_count;
   double shell, smallest, largest;    // thickness, diameters [m]
   double contacts;                    // pairs of stones whose shells touch
+  std::size_t memory;                 // of a contact's law [B]
   double loose_step, loaded_step;     // [s]
   double load;                        // stone contact force that limits the latter [N]
   double settling_time, loaded_time;  // simulated [s]
@@ -94,12 +95,16 @@ BedForecast forecast_bed(const BedPlan& plan, const Mix& mix, const LawBook& boo
   std::vector<double> outer = mix.radius;
   for (double& r : outer) r += mix.shell;
   const dem::Gas gas = dem::pack_gas(outer, plan.container, plan.fill.packing_density, plan.seed);
-  const dem::ParticleStore store = dem::make_stones(gas.position, mix.radius, plan.stones.density,
-                                                    mix.shell, plan.numerics.mass_scale);
+  dem::ParticleStore store = dem::make_stones(gas.position, mix.radius, plan.stones.density,
+                                              mix.shell, plan.numerics.mass_scale);
   const Law law = book.law<Law>({std::nullopt, plan.stones.friction}, plan.fill.bonds);
+  if (plan.numerics.selective_mass) select_inertia(law, store);
+  const double scale = dem::mean_inertia_scale(store);
+  told.inertial_number *= std::sqrt(scale / plan.numerics.mass_scale);
+  told.memory = sizeof(typename Law::template Memory<double>);
   told.loose_step = largest_step(law, store, plan.numerics.safety);
   told.loaded_step = std::min(told.loaded_step, told.loose_step);
-  told.settling_time *= std::sqrt(2 * gas.height * plan.numerics.mass_scale / 9.81);
+  told.settling_time *= std::sqrt(2 * gas.height * scale / 9.81);
   told.seconds_per_step = measured_step<Law>(plan, mix, book, gas);
   return told;
 }
