@@ -1,6 +1,7 @@
 // The steps of dem_speed with a clock between their stages, which dem::Simulation has not.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <nlohmann/json.hpp>
@@ -45,14 +46,17 @@ class Stages {
   }
 
   void step() {
+    constexpr dem::Steps steps = {bed_time_step, bed_time_step};
     const double horizon =
         ++steps_ % dem::check_interval == 0 ? dem::check_interval * bed_time_step : 0;
     dem::Travel travel;
+    double wall_moved = 0;
     timed(motion, [&] {
-      travel = dem::advance_stones(bed_.stones, {bed_time_step, bed_time_step}, 0, bed_gravity,
-                                   reference_);
+      for (dem::Wall& wall : bed_.walls) wall_moved = std::max(wall_moved, move(wall));
+      travel = dem::advance_stones(bed_.stones, steps, 0, bed_gravity, reference_);
     });
-    if (travel.closing() > skin_) timed(lists, [&] { make_lists(); });
+    if (travel.closing() > skin_ || travel.farthest + wall_moved > skin_)
+      timed(lists, [&] { make_lists(); });
     timed(pairs, [&] { pairs_.evaluate(bed_.stones, bed_time_step, horizon); });
     timed(wall_contacts, [&] {
       for (std::size_t w = 0; w < bed_.walls.size(); ++w)
@@ -101,6 +105,15 @@ class Stages {
     spent_[stage] += seconds_since(start);
   }
 
+  // Returns what it has moved since the lists were made, at most [m].
+  double move(dem::Wall& wall) const {
+    constexpr dem::Steps steps = {bed_time_step, bed_time_step};
+    const double time = static_cast<double>(steps_ - 1) * bed_time_step;
+    dem::advance(wall.motion, wall.frame, wall.force, time, steps);
+    const double reach = std::visit([](const auto& face) { return face.extent(); }, wall.surface);
+    return wall.moved += steps.now * (norm(wall.frame.velocity) + norm(wall.frame.spin) * reach);
+  }
+
   void make_lists() {
     dem::ParticleStore& stones = bed_.stones;
     std::vector<double> radius(stones.size());
@@ -109,6 +122,7 @@ class Stages {
     pairs_.take(list_, bed_.stones);
     for (std::size_t w = 0; w < bed_.walls.size(); ++w)
       at_walls_[w].find(stones, bed_.walls[w], skin_, {});
+    for (dem::Wall& wall : bed_.walls) wall.moved = 0;
     reference_ = stones.position;
   }
 
