@@ -25,7 +25,7 @@ namespace {
 struct Options {
   std::string bed, law, out;
   double cylinder_radius = 0;  // [m]; 0: as the bed says
-  double skin = 3e-5;          // [m]
+  double skin = 2e-5;          // [m]
   double gyrate = 0;           // revolutions of a lid [1/s]; 0: no lid
   int threads = 1, steps = 0, warmup = 0;
   bool json = false;

@@ -53,10 +53,9 @@ class Stages {
     double wall_moved = 0;
     timed(motion, [&] {
       for (dem::Wall& wall : bed_.walls) wall_moved = std::max(wall_moved, move(wall));
-      travel = dem::advance_stones(bed_.stones, steps, 0, bed_gravity, reference_);
+      travel = dem::advance_stones(bed_.stones, steps, 0, bed_gravity, leash_);
     });
-    if (travel.closing() > skin_ || travel.farthest + wall_moved > skin_)
-      timed(lists, [&] { make_lists(); });
+    if (travel.strayed || wall_moved > skin_ / 2) timed(lists, [&] { make_lists(); });
     timed(pairs, [&] { pairs_.evaluate(bed_.stones, bed_time_step, horizon); });
     timed(wall_contacts, [&] {
       for (std::size_t w = 0; w < bed_.walls.size(); ++w)
@@ -87,12 +86,12 @@ class Stages {
   // Of a stone, everything included [B].
   double bytes_per_stone() const {
     const dem::ParticleStore& stones = bed_.stones;
-    const double numbers =
-        stones.radius.size() + 2 * stones.mass.size() + stones.strength.size() + stones.softness.size();
-    const double vectors = 4.0 * stones.size();  // three of the store, and the reference
+    const double numbers = stones.radius.size() + 2.0 * stones.mass.size() +
+                           stones.strength.size() + stones.softness.size();
+    const double vectors = 3.0 * stones.size();
     const double rows = 3.0 * stones.size() * sizeof(std::uint32_t);  // id and two row starts
     return (numbers * sizeof(double) + vectors * sizeof(dem::Vec3d) + rows +
-            stones.size() * sizeof(dem::Load) +
+            stones.size() * sizeof(dem::Leash) + stones.size() * sizeof(dem::Load) +
             bytes_per_slot() * static_cast<double>(pairs_.slots())) /
            static_cast<double>(stones.size());
   }
@@ -118,12 +117,13 @@ class Stages {
     dem::ParticleStore& stones = bed_.stones;
     std::vector<double> radius(stones.size());
     for (std::size_t k = 0; k < radius.size(); ++k) radius[k] = stones.outer_radius(k);
-    list_.build({stones.position, radius, stones.id}, skin_);
+    const std::vector<double> extra = dem::extra_skin(stones, skin_, bed_time_step);
+    list_.build({stones.position, radius, stones.id, extra}, skin_);
     pairs_.take(list_, bed_.stones);
     for (std::size_t w = 0; w < bed_.walls.size(); ++w)
-      at_walls_[w].find(stones, bed_.walls[w], skin_, {});
+      at_walls_[w].find(stones, bed_.walls[w], skin_, extra, {});
     for (dem::Wall& wall : bed_.walls) wall.moved = 0;
-    reference_ = stones.position;
+    leash_ = dem::leashes(stones, skin_, extra);
   }
 
   Bed<Law> bed_;
@@ -131,7 +131,7 @@ class Stages {
   dem::NeighborList list_;
   dem::PairContacts<Law> pairs_;
   std::vector<dem::WallContacts<Law>> at_walls_;
-  std::vector<dem::Vec3d> reference_;
+  std::vector<dem::Leash> leash_;
   std::array<double, stage_count> spent_ = {};  // [s]
   std::int64_t steps_ = 0, cracked_ = 0;
 };
