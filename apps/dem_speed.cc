@@ -10,6 +10,7 @@
 #include <ctime>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -24,13 +25,12 @@ namespace {
 struct Options {
   std::string bed, law, out;
   double cylinder_radius = 0;  // [m]; 0: as the bed says
-  double skin = 3e-5;          // [m]
+  double skin = 2e-5;          // [m]
+  double gyrate = 0;           // revolutions of a lid [1/s]; 0: no lid
   int threads = 1, steps = 0, warmup = 0;
   bool json = false;
 };
 
-constexpr double gravity = 196.2;        // 20 g [m/s2]
-constexpr double time_step = 1e-6;       // [s]
 constexpr double shell = 0.5e-3;         // of the asphalt [m]
 constexpr double largest_overlap = 0.5;  // / radius of the smaller stone [-]
 
@@ -89,6 +89,33 @@ apps::Bed<Law> bed_of(const apps::BedFile& file, const Material& material,
   return bed;
 }
 
+// A lid that presses as a gyratory compactor's head does, from the end of the warm-up on
+// gyrating.
+dem::Wall lid_of(const dem::ParticleStore& stones, const Options& options) {
+  constexpr double pressure = 600e3, angle = 1.25 * std::numbers::pi / 180;  // [Pa], [rad]
+  const double radius = options.cylinder_radius;
+  double mass = 0, top = 0;
+  for (std::size_t k = 0; k < stones.size(); ++k) {
+    mass += stones.mass[k];
+    top = std::max(top, stones.position[k].z + stones.outer_radius(k));
+  }
+  dem::Wall lid;
+  lid.name = "lid";
+  lid.surface = dem::Disc{radius};
+  lid.frame.origin = {0, 0, top + radius * std::sin(angle)};
+  const dem::Ram ram = {.inertia = mass,
+                        .weight = 0,
+                        .force = pressure * std::numbers::pi * radius * radius,
+                        .ramp_start = 0,
+                        .ramp = options.warmup * apps::bed_time_step,
+                        .angle = angle,
+                        .speed = options.gyrate,
+                        .spin = false};
+  dem::orient(ram, lid.frame, 0);
+  lid.motion = ram;
+  return lid;
+}
+
 // Stones that touch a wall of the cylinder, once for each wall.
 std::int64_t touching_walls(const dem::ParticleStore& stones, double cylinder_radius) {
   std::int64_t count = 0;
@@ -113,7 +140,8 @@ std::string table_of(const dem::ParticleStore& stones, double cylinder_radius) {
 }
 
 template <class Law>
-nlohmann::ordered_json time_steps(const apps::Bed<Law>& bed, const Options& options) {
+nlohmann::ordered_json time_steps(apps::Bed<Law> bed, const Options& options) {
+  if (options.gyrate > 0) bed.walls.push_back(lid_of(bed.stones, options));
   dem::Settings settings;
   settings.gravity = apps::bed_gravity;
   settings.largest_step = apps::bed_time_step;
@@ -132,9 +160,10 @@ nlohmann::ordered_json time_steps(const apps::Bed<Law>& bed, const Options& opti
   if (!options.out.empty())
     apps::write_whole_file(options.out, table_of(simulation.stones(), options.cylinder_radius));
 
-  // A part of the run is enough for shares.
+  // A part of the run is enough for shares, once a lid is down.
   apps::Stages<Law> stages(bed, options.skin);
-  for (int k = 0; k < options.warmup / 4; ++k) stages.step();
+  for (int k = 0; k < (options.gyrate > 0 ? options.warmup : options.warmup / 4); ++k)
+    stages.step();
   stages.forget_times();
   for (int k = 0; k < std::max(options.steps / 4, 1); ++k) stages.step();
 
@@ -206,6 +235,11 @@ int main(int argc, char** argv) {
                  "of the cylinder [m], if the bed does not say")
       ->check(CLI::PositiveNumber);
   app.add_option("--skin", options.skin, "search range beyond contact [m]")
+      ->check(CLI::PositiveNumber);
+  app.add_option(
+         "--gyrate", options.gyrate,
+         "press a lid at 600 kPa during the warm-up, then gyrate it by 1.25 degrees at this "
+         "speed [1/s]")
       ->check(CLI::PositiveNumber);
   app.add_option("--out", options.out, "write the stones after the last step as a bed (CSV)");
   app.add_flag("--json", options.json, "print one JSON object");

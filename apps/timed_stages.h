@@ -1,6 +1,7 @@
 // The steps of dem_speed with a clock between their stages, which dem::Simulation has not.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <nlohmann/json.hpp>
@@ -45,14 +46,16 @@ class Stages {
   }
 
   void step() {
+    constexpr dem::Steps steps = {bed_time_step, bed_time_step};
     const double horizon =
         ++steps_ % dem::check_interval == 0 ? dem::check_interval * bed_time_step : 0;
     dem::Travel travel;
+    double wall_moved = 0;
     timed(motion, [&] {
-      travel = dem::advance_stones(bed_.stones, {bed_time_step, bed_time_step}, 0, bed_gravity,
-                                   reference_);
+      for (dem::Wall& wall : bed_.walls) wall_moved = std::max(wall_moved, move(wall));
+      travel = dem::advance_stones(bed_.stones, steps, 0, bed_gravity, leash_);
     });
-    if (travel.closing() > skin_) timed(lists, [&] { make_lists(); });
+    if (travel.strayed || wall_moved > skin_ / 2) timed(lists, [&] { make_lists(); });
     timed(pairs, [&] { pairs_.evaluate(bed_.stones, bed_time_step, horizon); });
     timed(wall_contacts, [&] {
       for (std::size_t w = 0; w < bed_.walls.size(); ++w)
@@ -83,12 +86,12 @@ class Stages {
   // Of a stone, everything included [B].
   double bytes_per_stone() const {
     const dem::ParticleStore& stones = bed_.stones;
-    const double numbers =
-        stones.radius.size() + 2 * stones.mass.size() + stones.strength.size() + stones.softness.size();
-    const double vectors = 4.0 * stones.size();  // three of the store, and the reference
+    const double numbers = stones.radius.size() + 2.0 * stones.mass.size() +
+                           stones.strength.size() + stones.softness.size();
+    const double vectors = 3.0 * stones.size();
     const double rows = 3.0 * stones.size() * sizeof(std::uint32_t);  // id and two row starts
     return (numbers * sizeof(double) + vectors * sizeof(dem::Vec3d) + rows +
-            stones.size() * sizeof(dem::Load) +
+            stones.size() * sizeof(dem::Leash) + stones.size() * sizeof(dem::Load) +
             bytes_per_slot() * static_cast<double>(pairs_.slots())) /
            static_cast<double>(stones.size());
   }
@@ -101,15 +104,26 @@ class Stages {
     spent_[stage] += seconds_since(start);
   }
 
+  // Returns what it has moved since the lists were made, at most [m].
+  double move(dem::Wall& wall) const {
+    constexpr dem::Steps steps = {bed_time_step, bed_time_step};
+    const double time = static_cast<double>(steps_ - 1) * bed_time_step;
+    dem::advance(wall.motion, wall.frame, wall.force, time, steps);
+    const double reach = std::visit([](const auto& face) { return face.extent(); }, wall.surface);
+    return wall.moved += steps.now * (norm(wall.frame.velocity) + norm(wall.frame.spin) * reach);
+  }
+
   void make_lists() {
     dem::ParticleStore& stones = bed_.stones;
     std::vector<double> radius(stones.size());
     for (std::size_t k = 0; k < radius.size(); ++k) radius[k] = stones.outer_radius(k);
-    list_.build({stones.position, radius, stones.id}, skin_);
+    const std::vector<double> extra = dem::extra_skin(stones, skin_, bed_time_step);
+    list_.build({stones.position, radius, stones.id, extra}, skin_);
     pairs_.take(list_, bed_.stones);
     for (std::size_t w = 0; w < bed_.walls.size(); ++w)
-      at_walls_[w].find(stones, bed_.walls[w], skin_, {});
-    reference_ = stones.position;
+      at_walls_[w].find(stones, bed_.walls[w], skin_, extra, {});
+    for (dem::Wall& wall : bed_.walls) wall.moved = 0;
+    leash_ = dem::leashes(stones, skin_, extra);
   }
 
   Bed<Law> bed_;
@@ -117,7 +131,7 @@ class Stages {
   dem::NeighborList list_;
   dem::PairContacts<Law> pairs_;
   std::vector<dem::WallContacts<Law>> at_walls_;
-  std::vector<dem::Vec3d> reference_;
+  std::vector<dem::Leash> leash_;
   std::array<double, stage_count> spent_ = {};  // [s]
   std::int64_t steps_ = 0, cracked_ = 0;
 };

@@ -20,6 +20,9 @@ struct Spheres {
   std::span<const Vec3d> position;    // [m]
   std::span<const double> radius;     // out to the skin of the shell [m]
   std::span<const std::uint32_t> id;  // unique, and the same however the store is ordered
+  std::span<const double> extra;      // what each sphere widens the skin by [m]; empty: nothing
+
+  double extra_of(std::size_t k) const { return extra.empty() ? 0 : extra[k]; }
 };
 
 class CellGrid {

@@ -13,46 +13,48 @@ Load weight(const ParticleStore& stones, std::int64_t i, double gravity) {
 
 }  // namespace
 
+std::vector<double> extra_skin(const ParticleStore& stones, double skin, double dt) {
+  constexpr double enough = 128, most = 3;  // steps; of skins
+  std::vector<double> extra(stones.size());
+  for (std::size_t i = 0; i < extra.size(); ++i)
+    extra[i] = std::clamp(norm(stones.velocity[i]) * dt * enough - skin / 2, 0.0, most * skin);
+  return extra;
+}
+
+std::vector<Leash> leashes(const ParticleStore& stones, double skin,
+                           std::span<const double> extra) {
+  std::vector<Leash> leash(stones.size());
+  for (std::size_t i = 0; i < leash.size(); ++i)
+    leash[i] = {stones.position[i], skin / 2 + extra[i]};
+  return leash;
+}
+
 void weigh(ParticleStore& stones, double gravity) {
   for (std::size_t i = 0; i < stones.size(); ++i) stones.load[i] = weight(stones, i, gravity);
 }
 
 Travel advance_stones(ParticleStore& stones, Steps steps, double drag, double gravity,
-                      std::span<const Vec3d> reference) {
+                      std::span<const Leash> leash) {
   const auto count = static_cast<std::int64_t>(stones.size());
   const double dt = steps.now, kick = steps.kick();
   const double kept = std::exp(-drag * kick);
-  Travel travel;  // distances are squared at first
-#pragma omp parallel if (count > 64)
-  {
-    double farthest = 0, next = 0;
-    bool finite = true;
-#pragma omp for schedule(static) nowait
-    for (std::int64_t i = 0; i < count; ++i) {
-      const double inertia = stones.inertia[i];
-      const double moment = 0.4 * inertia * stones.radius[i] * stones.radius[i];
-      Vec3d& v = stones.velocity[i];
-      Vec3d& w = stones.spin[i];
-      v = v * kept + stones.load[i].force * (kick / inertia);
-      w = w * kept + stones.load[i].torque * (kick / moment);
-      stones.load[i] = weight(stones, i, gravity);
-      stones.position[i] += v * dt;
-      const Vec3d moved = stones.position[i] - reference[i];
-      const double distance = dot(moved, moved);
-      finite = finite && std::isfinite(distance + dot(w, w));
-      next = std::max(next, std::min(farthest, distance));
-      farthest = std::max(farthest, distance);
-    }
-#pragma omp critical
-    {
-      travel.next = std::max({travel.next, next, std::min(travel.farthest, farthest)});
-      travel.farthest = std::max(travel.farthest, farthest);
-      travel.finite = travel.finite && finite;
-    }
+  bool strayed = false, finite = true;
+#pragma omp parallel for schedule(static) if (count > 64) reduction(|| : strayed) reduction(&& : finite)
+  for (std::int64_t i = 0; i < count; ++i) {
+    const double inertia = stones.inertia[i];
+    const double moment = 0.4 * inertia * stones.radius[i] * stones.radius[i];
+    Vec3d& v = stones.velocity[i];
+    Vec3d& w = stones.spin[i];
+    v = v * kept + stones.load[i].force * (kick / inertia);
+    w = w * kept + stones.load[i].torque * (kick / moment);
+    stones.load[i] = weight(stones, i, gravity);
+    stones.position[i] += v * dt;
+    const Vec3d moved = stones.position[i] - leash[i].from;
+    const double distance = dot(moved, moved);
+    finite = finite && std::isfinite(distance + dot(w, w));
+    strayed = strayed || distance > leash[i].length * leash[i].length;
   }
-  travel.farthest = std::sqrt(travel.farthest);
-  travel.next = std::sqrt(travel.next);
-  return travel;
+  return {strayed, finite};
 }
 
 }  // namespace dem

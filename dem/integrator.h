@@ -3,19 +3,30 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "dem/particle_store.h"
 #include "dem/time_step.h"
 
 namespace dem {
 
-struct Travel {
-  double farthest = 0;  // largest distance of a stone from its reference position [m]
-  double next = 0;      // and that of the stone after it [m]
-  bool finite = true;   // false: some position or velocity is not a number
+// How far from the place where the lists were made a stone may be before they must be made anew.
+struct Leash {
+  Vec3d from;     // [m]
+  double length;  // [m]
+};
 
-  // How much closer two stones can have come [m].
-  double closing() const { return farthest + next; }
+// What fast stones widen the skin [m] of the lists by, so that they alone do not make them stale:
+// the way of a number of steps of dt [s], within what the stock of candidates covers.
+std::vector<double> extra_skin(const ParticleStore& stones, double skin, double dt);
+
+// Of lists with that skin and these extras; the other half of the skin is for the other stone or
+// the wall.
+std::vector<Leash> leashes(const ParticleStore& stones, double skin, std::span<const double> extra);
+
+struct Travel {
+  bool strayed = false;  // some stone is at the end of its leash
+  bool finite = true;    // false: some position or velocity is not a number
 };
 
 // Sets the stones' loads to their weight; gravity [m/s2], downwards along z.
@@ -24,6 +35,6 @@ void weigh(ParticleStore& stones, double gravity);
 // Advances velocity, spin and position, and leaves the weight as load. drag: rate at which motion
 // dies out besides the contact forces [1/s], to settle a bed.
 Travel advance_stones(ParticleStore& stones, Steps steps, double drag, double gravity,
-                      std::span<const Vec3d> reference);
+                      std::span<const Leash> leash);
 
 }  // namespace dem

@@ -61,7 +61,7 @@ std::size_t find_seconds(const Spheres& spheres, const std::vector<Level>& level
 }
 
 constexpr std::int64_t rows_per_chunk = 128;  // searched by one thread in one go
-constexpr double stock = 8;                   // skin of the candidates / that of the list [-]
+constexpr double stock = 12;                  // skin of the candidates / that of the list [-]
 
 // Calls row(i, chunk) for all rows, those of a chunk in order; chunks side by side.
 template <class Chunk, class Row>
@@ -109,12 +109,10 @@ void Candidates::search(const Spheres& spheres, double wide_skin) {
 bool Candidates::cover(const Spheres& spheres, double wanted) const {
   if (!std::ranges::equal(spheres.id, id) || !std::ranges::equal(spheres.radius, radius))
     return false;
-  double farthest = 0;  // squared
-  for (std::size_t k = 0; k < position.size(); ++k) {
-    const Vec3d moved = spheres.position[k] - position[k];
-    farthest = std::max(farthest, dot(moved, moved));
-  }
-  return wanted + 2 * std::sqrt(farthest) <= skin;
+  double farthest = 0;
+  for (std::size_t k = 0; k < position.size(); ++k)
+    farthest = std::max(farthest, norm(spheres.position[k] - position[k]) + spheres.extra_of(k));
+  return wanted + 2 * farthest <= skin;
 }
 
 void NeighborList::build(const Spheres& spheres, double skin, std::span<const StonePair> keep,
@@ -140,7 +138,8 @@ void NeighborList::build(const Spheres& spheres, double skin, std::span<const St
         for (std::uint32_t k = candidates.row_start[i]; k < candidates.row_start[i + 1]; ++k) {
           const std::uint32_t j = candidates.second[k];
           const Vec3d apart = spheres.position[i] - spheres.position[j];
-          const double reach = spheres.radius[i] + spheres.radius[j] + skin;
+          const double reach = spheres.radius[i] + spheres.radius[j] + skin + spheres.extra_of(i) +
+                               spheres.extra_of(j);
           // Every candidate is written, and only a hit moves the end: a branch is guessed wrong.
           seconds[end] = j;
           end += dot(apart, apart) < reach * reach;

@@ -53,9 +53,9 @@ struct NeighborList {
   std::vector<std::uint32_t> second;   // place of the second, rising within a row
   std::vector<std::int32_t> previous;  // slot of the same pair before the build, or -1
 
-  // Lists every pair whose spheres are less than `skin` [m] apart, and the pairs to `keep`, however
-  // far apart; those must be oriented (see comes_first). If the store was reordered since the last
-  // build, old_index[i] is the place where stone i was then.
+  // Lists every pair whose spheres are less than `skin` [m] and their extras apart, and the pairs
+  // to `keep`, however far apart; those must be oriented (see comes_first). If the store was
+  // reordered since the last build, old_index[i] is the place where stone i was then.
   void build(const Spheres& spheres, double skin, std::span<const StonePair> keep = {},
              std::span<const std::uint32_t> old_index = {});
 

@@ -90,7 +90,7 @@ class Simulation {
   PairContacts<Law> pairs_;
   std::vector<WallContacts<Law>> wall_contacts_;
   NeighborList list_;
-  std::vector<Vec3d> reference_;  // positions when the lists were made
+  std::vector<Leash> leash_;  // since the lists were made
   std::vector<Crack> cracks_;
   StepClock clock_;
   std::string limiting_ = "nothing in contact";
@@ -112,7 +112,7 @@ void Simulation<Law>::step() {
   const double dt = clock_.step();
   const Steps steps = {last_step_, dt};
   move_walls(steps);
-  const Travel travel = advance_stones(stones_, steps, drag_, settings_.gravity, reference_);
+  const Travel travel = advance_stones(stones_, steps, drag_, settings_.gravity, leash_);
   last_step_ = dt;
   time_ += dt;
   ++steps_;
@@ -120,8 +120,7 @@ void Simulation<Law>::step() {
 
   double wall_moved = 0;
   for (const Wall& wall : walls_) wall_moved = larger(wall_moved, wall.moved);
-  if (travel.closing() > settings_.skin || travel.farthest + wall_moved > settings_.skin)
-    refresh_neighbors();
+  if (travel.strayed || wall_moved > settings_.skin / 2) refresh_neighbors();
 
   find_forces(dt, steps_ % check_interval == 0);
 }
@@ -178,13 +177,14 @@ void Simulation<Law>::refresh_neighbors() {
     const double gap = norm(stones_.position[i] - stones_.position[j]) - radius[i] - radius[j];
     if (gap >= settings_.skin) keep.push_back({i, j});
   }
-  list_.build({stones_.position, radius, stones_.id}, settings_.skin, keep, order);
+  const std::vector<double> extra = extra_skin(stones_, settings_.skin, clock_.step());
+  list_.build({stones_.position, radius, stones_.id, extra}, settings_.skin, keep, order);
   pairs_.take(list_, stones_);
   for (std::size_t w = 0; w < walls_.size(); ++w) {
-    wall_contacts_[w].find(stones_, walls_[w], settings_.skin, order);
+    wall_contacts_[w].find(stones_, walls_[w], settings_.skin, extra, order);
     walls_[w].moved = 0;
   }
-  reference_ = stones_.position;
+  leash_ = leashes(stones_, settings_.skin, extra);
   stale_ = false;
 }
 
@@ -237,7 +237,7 @@ void Simulation<Law>::visit_state(Visit& visit) {
     dem::visit_state(visit, walls_[w].name + '.', walls_[w]);
     wall_contacts_[w].visit_state(visit, walls_[w].name + ".contacts.");
   }
-  visit("reference", reference_);
+  visit("leash", leash_);
   visit("cracks", cracks_);
   visit("clock", clock_);
   visit("limiting", limiting_);

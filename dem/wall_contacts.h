@@ -30,10 +30,11 @@ class WallContacts {
   ContactHistory<Law> history;
   std::vector<std::int32_t> stones;  // one per slot (padded), in rising store order
 
-  // Lists the stones nearer than `skin` [m] and those whose contact lives on. old_index: where the
-  // stone that is now at k was stored when the last list was made; empty if nothing moved places.
+  // Lists the stones nearer than `skin` and their extra [m] and those whose contact lives on.
+  // old_index: where the stone that is now at k was stored when the last list was made; empty if
+  // nothing moved places.
   void find(const ParticleStore& particles, const Wall& wall, double skin,
-            std::span<const std::uint32_t> old_index);
+            std::span<const double> extra, std::span<const std::uint32_t> old_index);
 
   // Adds the contact forces to the stones and renews the wall's force, moment, push and impulses.
   // dt and horizon as of the pairs.
@@ -86,6 +87,7 @@ class WallContacts {
 
 template <ContactLaw Law>
 void WallContacts<Law>::find(const ParticleStore& particles, const Wall& wall, double skin,
+                             std::span<const double> extra,
                              std::span<const std::uint32_t> old_index) {
   const std::size_t count = particles.size();
   std::vector<std::int32_t> old_slot(count, -1);
@@ -97,7 +99,7 @@ void WallContacts<Law>::find(const ParticleStore& particles, const Wall& wall, d
     const double distance = std::visit(
         [&](const auto& surface) { return surface.nearest(local).distance; }, wall.surface);
     const std::int32_t before = old_slot[old_index.empty() ? k : old_index[k]];
-    const bool near = distance < particles.outer_radius(k) + skin;
+    const bool near = distance < particles.outer_radius(k) + skin + extra[k];
     if (!near && (before < 0 || !history.holds(before))) continue;
     stones.push_back(static_cast<std::int32_t>(k));
     previous.push_back(before);

@@ -19,6 +19,12 @@ QUICK_STEPS = {5000: (1000, 800)}   # before the clock starts, timed
 SPEEDUP_OF_TWO_THREADS = {5000: 1.6, 50000: 1.8}
 ASPHALT_TO_DRY = 2.0                # time per touching contact
 BYTES_PER_STONE = {"dry": 1200, "asphalt": 2500}
+LISTS_OF_GYRATING_BED = 0.10        # of the step
+LARGE_TO_SMALL = 1.5                # time per stone and step, 200,000 stones to 5000
+GYRATING = ["--gyrate", "10"]       # 10^5 steps a gyration, as in a paper-size run
+GYRATING_STEPS = (12000, 4000)      # until the lid is down, timed
+# Our threads wait as the processes of MPI do: they spin.
+ENVIRONMENT = dict(os.environ, OMP_WAIT_POLICY="active")
 
 
 def arguments():
@@ -26,7 +32,10 @@ def arguments():
     parser.add_argument("--full", action="store_true", help="every installed peer and both beds")
     parser.add_argument("--peers", default=os.path.join(os.path.dirname(HOUSE), "shared", "peers"))
     parser.add_argument("--program", default=os.path.join(HOUSE, "build", "bin", "dem_speed"))
-    parser.add_argument("--plain", help="dem_speed built without -march=native, to show beside it")
+    plain = os.path.join(HOUSE, "build_portable", "bin", "dem_speed")
+    parser.add_argument("--plain", default=plain if os.access(plain, os.X_OK) else None,
+                        help="dem_speed built for any x86-64, to show beside it; that of the preset "
+                        "portable if it is built")
     parser.add_argument("--repeats", type=int, default=3)
     options = parser.parse_args()
     if not os.path.isfile(os.path.join(options.peers, "run_bench.py")):
@@ -71,17 +80,32 @@ class Beds:
             return QUICK_STEPS[stones]
         return self.bench.STEPS[code][stones]
 
-    def ours(self, law, stones, cores, steps, program=None):
+    def bed(self, stones):
+        return os.path.join(self.options.peers, "beds", f"bed_{stones}.csv")
+
+    def ours(self, law, stones, cores, steps, program=None, bed=None, more=()):
         command = [program or self.options.program, "--law", law, "--threads", str(cores), "--json",
-                   "--bed", os.path.join(self.options.peers, "beds", f"bed_{stones}.csv"),
+                   "--bed", bed or self.bed(stones), *more,
                    "--warmup", str(steps[0]), "--steps", str(steps[1])]
-        done = subprocess.run(command, capture_output=True, text=True)
+        done = subprocess.run(command, capture_output=True, text=True, env=ENVIRONMENT)
         if done.returncode:
             sys.exit("failed: " + " ".join(command) + "\n" + done.stderr)
         return json.loads(done.stdout)
 
+    def stacked(self, stones, copies):
+        """A bed of so many copies of another one, each on top of the one before."""
+        position, radius = self.beds.read_bed(self.bed(stones))
+        height = (position[:, 2] + radius).max()
+        path = f"{self.folder}/stacked.csv"
+        with open(path, "w") as file:
+            print(f"# cylinder_radius={self.beds.cyl_radius(stones)}", file=file)
+            for copy in range(copies):
+                for (x, y, z), r in zip(position, radius):
+                    print(f"{x:.12g},{y:.12g},{z + copy * height:.12g},{r:.12g}", file=file)
+        return path
+
     def write_data(self, stones):
-        position, radius = self.beds.read_bed(f"{self.options.peers}/beds/bed_{stones}.csv")
+        position, radius = self.beds.read_bed(self.bed(stones))
         self.beds.write_data(f"{self.folder}/data_{stones}", position, radius,
                              self.beds.cyl_radius(stones), "lammps")
 
@@ -137,6 +161,29 @@ def compare_builds(beds, table, stones):
                statistics.median(plain), ratio)
 
 
+def compare_gyrating(beds, table, stones):
+    """The lists of a bed that moves."""
+    run = beds.ours("dry", stones, 1, GYRATING_STEPS, more=GYRATING)
+    share = run["share"]["lists"]
+    table.line("lists of a gyrating bed [share]", stones, 1, share, LISTS_OF_GYRATING_BED,
+               share / LISTS_OF_GYRATING_BED, most=1.0)
+
+
+def compare_sizes(beds, table):
+    """Time per stone and step of a large bed: four of the middle size, one on top of the other."""
+    large = beds.stacked(50000, 4)
+
+    def per_stone(run):
+        return 1e9 / run["particle_steps_per_s"]
+
+    rounds = [(per_stone(beds.ours("dry", 200000, 1, (200, 100), bed=large)),
+               per_stone(beds.ours("dry", 5000, 1, (1000, 800))))
+              for _ in range(beds.options.repeats)]
+    ours, small = (statistics.median(column) for column in zip(*rounds))
+    table.line("200,000 stones for 5000 [ns/stone]", 200000, 1, ours, small,
+               statistics.median(a / b for a, b in rounds), most=LARGE_TO_SMALL)
+
+
 def main():
     options = arguments()
     wanted = PROGRAMS if options.full else ["lammps_hist"]
@@ -155,6 +202,9 @@ def main():
             if options.plain:
                 compare_builds(beds, table, stones)
             compare_with_self(beds, table, stones)
+        if options.full:
+            compare_gyrating(beds, table, 5000)
+            compare_sizes(beds, table)
     sys.exit(0 if table.holds and codes else 1)
 
 

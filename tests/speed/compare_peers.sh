@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Times dem_speed and other DEM codes in turn on the same beds; exits 1 if a target of ours fails.
 #   compare_peers.sh           the quick form: LAMMPS and 5000 stones, within a minute
-#   compare_peers.sh --full    every installed peer, 5000 and 50,000 stones, about 20 minutes
+#   compare_peers.sh --full    every installed peer, 5000 and 50,000 stones, a gyrating bed and 200,000
+#                              stones, about 25 minutes
 # --peers DIR is the folder with beds/, decks/ and run_bench.py; ../shared/peers beside the checkout
 # if not given. --program and --plain name dem_speed as built for this machine and for any x86-64.
 set -euo pipefail
