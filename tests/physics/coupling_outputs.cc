@@ -78,8 +78,8 @@ TEST(gauge, reads_lames_hoop_strain_under_uniform_pressure) {
 }
 
 // Lame (1852): pressure p on the whole inner face stretches it by p (b^2 + a^2) / (b^2 - a^2), far
-// from the clamped base and from the rim. 3 %: the letterbox is as coarse as in a run, the default
-// mesh is right to 1 %.
+// from the clamped base, whose wave is down to 2 % at 60 mm, and from the rim. 3 %: the letterbox
+// is as coarse as in a run, the default mesh is right to 1 %.
 TEST(hoop_stress, of_a_mould_under_uniform_pressure_is_lames) {
   const fem::ElasticBody body(mould, {});
   const double a = mould.inner_diameter / 2, b = a + mould.wall_thickness, pressure = 300e3;
@@ -92,7 +92,7 @@ TEST(hoop_stress, of_a_mould_under_uniform_pressure_is_lames) {
   const std::vector<double> hoop = apps::hoop_stress_at_nodes(body, field, forces);
   const double exact = pressure * (b * b + a * a) / (b * b - a * a);
   for (std::size_t n = 0; n < field.size(); ++n)
-    if (std::abs(field.node[n].z - 0.07) < 0.02) {
+    if (field.node[n].z > 0.06 && field.node[n].z < 0.11) {
       EXPECT_NEAR(hoop[n], exact, 0.03 * exact) << n;
     }
 }
