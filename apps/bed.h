@@ -46,14 +46,20 @@ double largest_step(const Law& law, const dem::ParticleStore& stones, double saf
   return least;
 }
 
-// Takes from every stone the inertia that it does not need for the step of the one that needs most;
-// none gets less than its mass.
+// Takes from every stone the inertia that it does not need for the step of the one that needs most:
+// against one like itself, and against as many of the smallest as find room around it, who press it
+// all at once. None gets less than its mass.
 template <class Law>
 void select_inertia(const Law& law, dem::ParticleStore& stones) {
   const double needed = largest_step(law, stones, 1);
+  const auto smallest = static_cast<std::size_t>(
+      std::min_element(stones.radius.begin(), stones.radius.end()) - stones.radius.begin());
+  const double least = stones.inertia[smallest];
   for (std::size_t k = 0; k < stones.size(); ++k) {
     const double spare = needed / stable_step(law, stones, k, 1);
-    stones.inertia[k] = std::max(stones.mass[k], stones.inertia[k] * spare * spare);
+    const double room = 0.5 * (1 + stones.outer_radius(k) / stones.outer_radius(smallest));
+    const double enough = std::max(stones.inertia[k] * spare * spare, least * room * room);
+    stones.inertia[k] = std::max(stones.mass[k], std::min(stones.inertia[k], enough));
   }
 }
 

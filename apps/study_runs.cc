@@ -116,14 +116,15 @@ class Fleet {
     if (code == numerical_trouble) {
       run.trouble = last_line(traces.log);
       write_whole_file(traces.stopped, run.trouble);
-    } else if (code != ok && !(stop_signal() && code >= stopped)) {
+    } else if (code != ok && !told_ && !(stop_signal() && code >= stopped)) {
       trouble_ = run.folder + ": " + last_line(traces.log) + " (status " + std::to_string(code) +
                  "; all of it in " + traces.log + ')';
     }
     return true;
   }
 
-  void tell_to_stop() const {
+  void tell_to_stop() {
+    told_ = true;
     for (const auto& [process, run] : afloat_) kill(process, SIGTERM);
   }
 
@@ -134,6 +135,7 @@ class Fleet {
   std::vector<StudyRun>& runs_;
   std::map<pid_t, std::size_t> afloat_;
   std::string trouble_;  // of files, or a crash
+  bool told_ = false;    // to stop
 };
 
 }  // namespace

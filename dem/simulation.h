@@ -76,6 +76,7 @@ class Simulation {
 
  private:
   void move_walls(Steps steps);
+  void stop_at_wall_not_finite() const;
   void refresh_neighbors();
   void find_forces(double dt, bool check);
   void break_stones();
@@ -117,6 +118,7 @@ void Simulation<Law>::step() {
   time_ += dt;
   ++steps_;
   if (!travel.finite) stop_at_first_not_finite(stones_, time_);
+  stop_at_wall_not_finite();
 
   double wall_moved = 0;
   for (const Wall& wall : walls_) wall_moved = larger(wall_moved, wall.moved);
@@ -150,6 +152,18 @@ void Simulation<Law>::move_walls(Steps steps) {
     if (!wall.field) continue;
     wall.field->drift(dt);
     wall.moved += dt * wall.field->fastest;
+  }
+}
+
+// A wall has no number: the stone that it last met is named, or the first.
+template <ContactLaw Law>
+void Simulation<Law>::stop_at_wall_not_finite() const {
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    const Wall& wall = walls_[w];
+    if (std::isfinite(wall.moved)) continue;
+    const auto& met = wall_contacts_[w].stones;
+    throw NumericalTrouble("way that wall " + wall.name + " has moved [m]",
+                           stones_.id[met.empty() ? 0 : met.front()], time_, wall.moved);
   }
 }
 

@@ -1,6 +1,8 @@
 // The contact lists of a whole simulation against brute force, while walls and stones move.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include <algorithm>
 #include <set>
 #include <string>
@@ -135,6 +137,27 @@ TEST(moving_walls, a_stone_outside_the_mould_stops_the_run_by_name) {
     EXPECT_EQ(trouble.stone, 1u);
     EXPECT_NEAR(trouble.value, 7.0 / 2, 1e-12);
     EXPECT_NE(std::string(trouble.what()).find("mould"), std::string::npos);
+  }
+}
+
+TEST(moving_walls, a_wall_without_a_number_stops_the_run_by_name) {
+  // From the promise: numerical trouble names stone, time and value, wherever it begins.
+  dem::Settings settings;
+  settings.largest_step = 1e-6;
+  settings.skin = 0.1e-3;
+  dem::Simulation<Dry> bed(dem::make_stones({{0, 0, 1e-3}}, {2e-3}, 2650, 0, 1), law(), settings);
+  dem::Wall lid;
+  lid.name = "lid";
+  lid.surface = dem::Plane{};
+  lid.motion = dem::Driven{{0, 0, std::nan("")}};
+  bed.add_wall(lid, law());
+  try {
+    bed.step();
+    FAIL() << "the run went on";
+  } catch (const dem::NumericalTrouble& trouble) {
+    EXPECT_EQ(trouble.stone, 0u);
+    EXPECT_TRUE(std::isnan(trouble.value));
+    EXPECT_NE(std::string(trouble.what()).find("lid"), std::string::npos);
   }
 }
 
