@@ -14,10 +14,10 @@ void LawBook::check(const SceneSource& source) const {
                        std::to_string(prony_terms()) + "; leave out the least weights");
   if (shell_ > thickest_)
     mistakes.push_back(source.where("binder.content") +
-                       fmt::format(": expected shells no thicker than the radius of the smallest "
-                                   "stone, {:.3g} mm, found {:.3g} mm; lower it, or raise "
+                       fmt::format(": expected shells no thicker than {} x the radius of the "
+                                   "smallest stone, {:.3g} mm, found {:.3g} mm; lower it, or raise "
                                    "stones.smallest",
-                                   1e3 * thickest_, 1e3 * shell_));
+                                   thickest_shell, 1e3 * thickest_, 1e3 * shell_));
   if (damping() && (binder_ || fracture()))
     mistakes.push_back(
         source.where("stones.restitution") +

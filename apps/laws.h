@@ -8,6 +8,7 @@
 
 #include "apps/mix.h"
 #include "apps/scene.h"
+#include "apps/sections.h"
 #include "dem/laws/binder.h"
 #include "dem/laws/fracture.h"
 #include "dem/laws/hertz.h"
@@ -41,7 +42,7 @@ class LawBook {
       : stones_(stones),
         binder_(binder),
         shell_(mix.shell),
-        thickest_(mix.radius.empty() ? mix.shell : mix.smallest_radius()),
+        thickest_(mix.radius.empty() ? mix.shell : thickest_shell * mix.smallest_radius()),
         bitumen_fraction_(mix.bitumen_fraction) {}
 
   // The law of a stone with its counterpart; bonds: may shells that were pressed carry tension.

@@ -112,8 +112,8 @@ class CaseCheck {
              "remove it, or the sections [binder] and [stone.fracture]");
     if (the_case.binder) check(*the_case.binder);
     if (the_case.binder && !the_case.radius.empty() &&
-        the_case.shell > std::ranges::min(the_case.radius))
-      refuse("binder.shell_thickness", "a shell no thicker than the smaller stone's radius",
+        the_case.shell > thickest_shell * std::ranges::min(the_case.radius))
+      refuse("binder.shell_thickness", "a shell no thicker than 1.25 x the smaller stone's radius",
              "lower it, or raise contact.radius");
   }
 

@@ -11,12 +11,12 @@ namespace apps {
 
 inline constexpr Bounds poisson_range{.least = 0, .most = 0.5, .most_excluded = true};
 
-// The box in which the contact laws are proven (tests/extremes): nothing outside is read. Shells go
-// up to the radius of the smallest stone.
+// The box in which the contact laws are proven (tests/extremes): nothing outside is read.
 inline constexpr Bounds friction_range = between(0, 1.5);          // [-]
 inline constexpr Bounds young_range = between(1e-3, 1e3);          // of stones [GPa]
 inline constexpr Bounds shear_modulus_range = between(1e-3, 1e3);  // of binder [MPa]
 inline constexpr Bounds bond_energy_range = between(0, 0.1);       // [J/mm2]
+inline constexpr double thickest_shell = 1.25;                     // / radius of a stone in it [-]
 
 Section describe(RunScene& run);
 Section describe(StonesScene& stones);

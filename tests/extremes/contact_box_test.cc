@@ -84,7 +84,7 @@ struct Case {
       binder->tau = {decade(1e-3, 1e3), decade(1e-3, 1e3)};
       binder->bond_energy = 1e6 * between(apps::bond_energy_range) * (share() < 0.3 ? 0 : 1);
       mix.bitumen_fraction = share();
-      mix.shell = r * decade(1e-6, 1);
+      mix.shell = apps::thickest_shell * r * decade(1e-6, 1);
     } else {
       stones.restitution = between(0.01, 1);
     }

@@ -42,7 +42,7 @@ TEST_F(SceneMistakes, refuses_shells_thicker_than_the_smallest_stone) {
   // sections.h; so much bitumen that spheres could not hold it.
   const apps::GyratoryScene scene = read(least, {"binder.content=60 %"});
   const apps::Mix mix = apps::prepare_mix(scene.stones, scene.binder, scene.run.seed);
-  ASSERT_GT(mix.shell, mix.smallest_radius());
+  ASSERT_GT(mix.shell, apps::thickest_shell * mix.smallest_radius());
   try {
     apps::LawBook(scene.stones, scene.binder, mix).check(scene.source);
     ADD_FAILURE();

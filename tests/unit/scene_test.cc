@@ -5,6 +5,7 @@
 
 #include <numbers>
 
+#include "apps/laws.h"
 #include "tests/unit/scene_fixture.h"
 
 namespace {
@@ -178,6 +179,8 @@ TEST(ShippedScene, of_gyratory_compaction_reads_without_a_mistake) {
     EXPECT_EQ(scene.binder->shear_modulus, 6.65e6) << name;
     EXPECT_NEAR(scene.stones.fracture->reference_volume, 244e-9, 1e-20) << name;
     EXPECT_EQ(scene.stones.sieves.passing.back(), 1) << name;
+    const apps::Mix mix = apps::prepare_mix(scene.stones, scene.binder, scene.run.seed);
+    EXPECT_NO_THROW(apps::LawBook(scene.stones, scene.binder, mix).check(scene.source)) << name;
   }
   const auto sma = apps::read_gyratory_scene(folder + "/gyratory_sma11_150C_paper.toml", {});
   const auto ac = apps::read_gyratory_scene(folder + "/gyratory_ac11_150C_paper.toml", {});
