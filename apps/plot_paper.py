@@ -14,7 +14,7 @@ import numpy as np
 from plots.run import Run
 from plots.style import BLUE, GREY, RED, STYLE
 
-MIXES = {"SMA 11": ("6.6", "7.8"), "AC 11": ("6", "7.2")}
+MIXES = {"SMA 11": ("6.6", "7.8"), "AC 11": ("5.4", "6.6")}
 
 
 class Mix:
