@@ -109,7 +109,7 @@ TEST_F(PathCaseTest, a_contact_of_nothing_and_a_path_that_is_not_there_are_refus
 TEST_F(PathCaseTest, what_is_outside_the_box_of_the_laws_is_refused) {
   // sections.h: the box in which the laws are proven.
   for (const char* option : {"binder.bond_energy=0.11 J/mm2", "binder.shear_modulus=2 GPa",
-                             "binder.shell_thickness=2.6 mm"}) {
+                             "binder.shell_thickness=3.2 mm"}) {
     const std::string key(option, std::string(option).find('='));
     EXPECT_THAT(mistakes(pair_of_shells, "0,0,0\n", {option}),
                 ElementsAre(HasSubstr("--set " + key + ": expected")));
