@@ -5,8 +5,7 @@ namespace {
 
 void take_fidelity(const std::string& fidelity, NumericsScene& numerics) {
   if (fidelity == "draft") {
-    numerics.mass_scale = 3e4;
-    numerics.safety = 0.3;
+    numerics.safety = 0.4;
   } else if (fidelity == "reference") {
     numerics.mass_scale = 2e3;
     numerics.safety = 0.1;
