@@ -24,7 +24,7 @@ INTRODUCTION = """# Scenes at their extremes
 
 Made by `python3 tests/extremes/scene_table.py build/bin apps/scenes tests/extremes/scene_table.md`.
 One thing at a time is taken to its extreme in a scene of 150 stones of SMA 11 between rigid walls,
-half a gyration at 600 kPa, and the energy ledger watches. Residual: the part of the work that the
+a quarter of a gyration at 600 kPa, and the energy ledger watches. Residual: the part of the work that the
 ledger cannot explain. Inertial number: as `--check` foretells it, quasi-static below 1e-3. A warning
 is what `--check` says before the run.
 
@@ -32,7 +32,7 @@ is what `--check` says before the run.
 |---|---|---|---|---|---|---|---|
 """
 BASE = {"stones.count": 150, "mould.diameter": "36 mm", "mould.elastic": "none",
-        "head.elastic": "none", "gyration.ramp": "0.2 s", "gyration.count": 0.5,
+        "head.elastic": "none", "gyration.ramp": "0.2 s", "gyration.count": 0.25,
         "output.picture_interval": "0 s", "output.energy_ledger": "true"}
 
 
