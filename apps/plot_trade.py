@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Draws a study: plot_trade.py DIR leaves DIR/trade.png and .svg. On the left the worst error of
-each setting against its time: full where it is beyond the noise of the seeds, hollow at the noise
-where it is not, and the front of those that nothing beats in both. On the right the errors by
+each setting against its time: full where it is beyond the noise of the seeds, hollow at the middle
+of the noises where none is, and the front of those that nothing beats in both. On the right the errors by
 quantity."""
 import argparse
 import pathlib
@@ -22,7 +22,7 @@ class Setting:
         self.noise = {q.replace("_", " "): g["noise"][0] for q, g in known.items()}
         beyond = [e for q, e in self.error.items() if e > self.noise[q]]
         self.beyond = bool(beyond)
-        self.worst = max(beyond) if beyond else min(self.noise.values())
+        self.worst = max(beyond) if beyond else numpy.median(list(self.noise.values()))
 
 
 def front(settings):
