@@ -16,7 +16,7 @@ BIN, SCENES = sys.argv[1], sys.argv[2]
 os.environ["OMP_WAIT_POLICY"] = "passive"
 
 DRY = {"binder": "none", "stones.fracture": "none"}
-FLOW = {"stones.count": 350, "flow.displacement": "1 mm", "output.picture_interval": "0 s"}
+FLOW = {"stones.count": 600, "flow.displacement": "0.5 mm", "output.picture_interval": "0 s"}
 RIGID = {"head.elastic": "none", "mould.elastic": "none"}
 TURN = {"gyration.count": 0.5, "gyration.ramp": "0.2 s", "output.picture_interval": "0 s"}
 CASES = [
@@ -29,8 +29,8 @@ CASES = [
     ("+ binder, fracture", "flow_test", FLOW),
     ("+ binder, fracture, energy ledger", "flow_test",
      {**FLOW, "output.energy_ledger": "true"}),
-    ("+ binder, fracture, a row every step", "flow_test",
-     {**FLOW, "output.history_interval": "10 us"}),
+    ("+ binder, fracture, a row every 1 ms", "flow_test",
+     {**FLOW, "output.history_interval": "1 ms"}),
     ("gyratory, rigid steel", "gyratory", {**TURN, **RIGID}),
     ("+ elastic head", "gyratory", {**TURN, "mould.elastic": "none"}),
     ("+ elastic head and mould", "gyratory", TURN),
