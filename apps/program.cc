@@ -58,6 +58,31 @@ void add_options(CLI::App& app, Options& options, const Program& program) {
 
 }  // namespace
 
+int exit_status_of(const std::function<int()>& body) {
+  try {
+    return body();
+  } catch (const InputError& error) {
+    for (const std::string& line : error.mistakes) std::cerr << line << '\n';
+    return bad_input;
+  } catch (const dem::NumericalTrouble& trouble) {
+    std::cerr << "stopped: stone " << trouble.stone << ", time " << trouble.time
+              << " s: " << trouble.what() << " = " << trouble.value << '\n';
+    return numerical_trouble;
+  } catch (const NotANumber& trouble) {
+    std::cerr << "stopped: " << trouble.what() << '\n';
+    return numerical_trouble;
+  } catch (const OutputError& error) {
+    std::cerr << error.what() << '\n';
+    return output_trouble;
+  } catch (const std::filesystem::filesystem_error& error) {
+    std::cerr << error.what() << '\n';
+    return output_trouble;
+  } catch (const Stopped& stop) {
+    std::cerr << stop.what() << '\n';
+    return stopped + stop.signal;
+  }
+}
+
 int run_program(int argc, char** argv, const Program& program,
                 const std::function<void(const Options&)>& body) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is trouble with files like others
@@ -74,26 +99,10 @@ int run_program(int argc, char** argv, const Program& program,
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? ok : bad_input;
   }
-  try {
+  return exit_status_of([&] {
     body(options);
-    return ok;
-  } catch (const InputError& error) {
-    for (const std::string& line : error.mistakes) std::cerr << line << '\n';
-    return bad_input;
-  } catch (const dem::NumericalTrouble& trouble) {
-    std::cerr << "stopped: stone " << trouble.stone << ", time " << trouble.time
-              << " s: " << trouble.what() << " = " << trouble.value << '\n';
-    return numerical_trouble;
-  } catch (const NotANumber& trouble) {
-    std::cerr << "stopped: " << trouble.what() << '\n';
-    return numerical_trouble;
-  } catch (const OutputError& error) {
-    std::cerr << error.what() << '\n';
-    return output_trouble;
-  } catch (const Stopped& stop) {
-    std::cerr << stop.what() << '\n';
-    return stopped + stop.signal;
-  }
+    return static_cast<int>(ok);
+  });
 }
 
 void use_threads(const Options& options, int stones) {

@@ -29,8 +29,11 @@ struct Program {
   std::function<std::string()> manual{}, schema{};
 };
 
-// Runs `body` with the options of the command line and turns what it throws into messages on
-// standard error and an exit status (errors.h; 0 for --help).
+// Runs `body`, which returns its exit status, and turns what it throws into messages on standard
+// error and a status (errors.h).
+int exit_status_of(const std::function<int()>& body);
+
+// The same with the options of the command line; 0 for --help.
 int run_program(int argc, char** argv, const Program& program,
                 const std::function<void(const Options&)>& body);
 

@@ -9,8 +9,8 @@
 #include <thread>
 
 #include "apps/errors.h"
+#include "apps/program.h"
 #include "apps/progress.h"
-#include "apps/stop_signal.h"
 #include "apps/study.h"
 #include "apps/study_report.h"
 #include "apps/study_runs.h"
@@ -96,20 +96,8 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? apps::ok : apps::bad_input;
   }
-  try {
+  return apps::exit_status_of([&] {
     trade(options);
-    return apps::ok;
-  } catch (const apps::InputError& error) {
-    for (const std::string& line : error.mistakes) std::cerr << line << '\n';
-    return apps::bad_input;
-  } catch (const apps::Stopped& stop) {
-    std::cerr << stop.what() << '\n';
-    return apps::stopped + stop.signal;
-  } catch (const std::filesystem::filesystem_error& error) {
-    std::cerr << error.what() << '\n';
-    return apps::output_trouble;
-  } catch (const apps::OutputError& error) {
-    std::cerr << error.what() << '\n';
-    return apps::output_trouble;
-  }
+    return static_cast<int>(apps::ok);
+  });
 }

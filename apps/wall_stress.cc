@@ -8,9 +8,8 @@
 #include <filesystem>
 #include <iostream>
 
-#include "apps/errors.h"
+#include "apps/program.h"
 #include "apps/stress_cases.h"
-#include "dem/trouble.h"
 
 namespace {
 
@@ -103,17 +102,5 @@ int main(int argc, char** argv) {
     return apps::bad_input;
   }
   if (options.all) options.cases = shipped_cases();
-  try {
-    return validate(options);
-  } catch (const apps::InputError& error) {
-    for (const std::string& line : error.mistakes) std::cerr << line << '\n';
-    return apps::bad_input;
-  } catch (const dem::NumericalTrouble& trouble) {
-    std::cerr << "stopped: stone " << trouble.stone << ", time " << trouble.time
-              << " s: " << trouble.what() << " = " << trouble.value << '\n';
-    return apps::numerical_trouble;
-  } catch (const apps::OutputError& error) {
-    std::cerr << error.what() << '\n';
-    return apps::output_trouble;
-  }
+  return apps::exit_status_of([&] { return validate(options); });
 }
