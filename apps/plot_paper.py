@@ -22,7 +22,7 @@ class Mix:
 
     def __init__(self, study, name):
         self.name = name
-        word = "".join(c if c.isalnum() or c in ".-" else "_" for c in name)
+        word = "".join(c if c.isalnum() or c in ".-" else "_" for c in name.replace(",", ""))
         self.runs = [Run(folder) for folder in sorted((study / "runs" / word).glob("seed_?"))
                      if (folder / "summary.json").exists()]
 
@@ -97,7 +97,7 @@ def rows(gyratory, flow):
            *compare(flow, uplift, lean, rich, "mm"), "")
     yield ("A stiffer sample at lower temperature (3.2, 3.3)",
            *compare(flow, pressure, cold, hot, "kPa"), "mean pressure, second half of the way")
-    count = 450
+    count = next(iter(gyratory.values())).runs[0].summary["stones"]
     most_broken = max(mix.values(broken).max() for mix in gyratory.values())
     share = mean(gyratory, broken, everything)[0] / count
     yield ("Fracture is very rare: 0 to 4 of 5000 stones (3.3)",
@@ -160,7 +160,7 @@ def draw(gyratory, flow, out):
         d.set_yticks(range(len(counts)), [mix.name for mix in gyratory.values()], fontsize=8)
         d.invert_yaxis()
         d.set_xlim(-0.1, max(4, 1.1 * max(n.max() for n in counts)))
-        d.set(title="Figure 4b: broken stones of 450, dots: seeds", xlabel="broken stones")
+        d.set(title="Figure 4b: broken stones, dots: seeds", xlabel="broken stones")
         figure.savefig(out / "paper.png", dpi=100)
 
 

@@ -33,14 +33,6 @@ std::vector<Section> describe(Study& study, Numbers& numbers) {
              "name of the setting that errors are counted from", "", required("\"reference\"")}}}};
 }
 
-// Letters, digits and dots of a name; the rest becomes underscores.
-std::string word_of(const std::string& name) {
-  std::string word = name;
-  std::ranges::replace_if(
-      word, [](unsigned char c) { return !std::isalnum(c) && c != '.' && c != '-'; }, '_');
-  return word;
-}
-
 // The keys of the scene below a section of the study, as overrides.
 std::vector<std::string> overrides_in(const Document& document, const std::string& section) {
   std::vector<std::string> overrides;
@@ -66,7 +58,7 @@ void read_settings(Study& study, const Document& document, Mistakes& mistakes) {
                    value ? value->written : "nothing", "write it like name = \"draft\"");
       continue;
     }
-    Setting setting{*name, word_of(*name), base};
+    Setting setting{*name, as_word(*name), base};
     std::ranges::copy(overrides_in(document, section), std::back_inserter(setting.overrides));
     if (std::ranges::find(study.settings, setting.word, &Setting::word) != study.settings.end())
       mistakes.add(value->place, "a name unlike those above", value->written, "choose another");
@@ -93,6 +85,14 @@ void check(const Study& study, const Numbers& numbers, const Document& document,
 }
 
 }  // namespace
+
+std::string as_word(const std::string& name) {
+  std::string word = name;
+  std::erase(word, ',');
+  std::ranges::replace_if(
+      word, [](unsigned char c) { return !std::isalnum(c) && c != '.' && c != '-'; }, '_');
+  return word;
+}
 
 const Setting& Study::reference_setting() const {
   return *std::ranges::find(settings, reference, &Setting::name);

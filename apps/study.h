@@ -18,6 +18,9 @@ struct Setting {
   std::vector<std::string> overrides;  // key=value, those of the base first
 };
 
+// A name as part of a path: letters, digits, dots and hyphens, no commas, else underscores.
+std::string as_word(const std::string& name);
+
 struct Study {
   std::string path, text;
   std::string program;  // "gyratory" or "flow_test"

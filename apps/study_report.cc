@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -17,13 +16,6 @@ namespace {
 double steps_of(const std::string& folder) {
   std::ifstream file(folder + "/summary.json");
   return nlohmann::json::parse(file).at("steps").get<double>();
-}
-
-std::string word_of(std::string name) {
-  std::erase(name, ',');
-  std::ranges::replace(name, ' ', '_');
-  std::ranges::replace(name, '-', '_');
-  return name;
 }
 
 double mean_of(const std::vector<double>& values) {
@@ -129,7 +121,7 @@ void StudyReport::record(const std::string& path) const {
     recorder.write(in + "seconds", row.seconds, "s");
     recorder.write(in + "steps", row.steps, "1");
     for (std::size_t q = 0; q < interest_.quantities.size(); ++q) {
-      const std::string of = in + word_of(interest_.quantities[q].name) + '/';
+      const std::string of = in + as_word(interest_.quantities[q].name) + '/';
       const Judgement& j = row.judgement[q];
       if (!j.known) continue;
       recorder.write(of + "error", std::vector{j.error}, "1");
