@@ -7,31 +7,14 @@ import argparse
 import pathlib
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
-INK, BLUE, RED, GREEN = "#222222", "#2166ac", "#b2182b", "#1b7837"
+from plots.style import BLUE, GREEN, INK, RED, STYLE
+
 COLOURS = [BLUE, RED, GREEN, "#762a83", "#e08214", "#4d4d4d"]
 COLUMNS = ["time_s", "overlap_m", "shear_m", "force_N", "binder_N", "stone_N", "shear_N",
            "bonded", "broken"]
-
-STYLE = {
-    "font.size": 10,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "axes.edgecolor": INK,
-    "axes.titlelocation": "left",
-    "axes.titlesize": 11,
-    "axes.titleweight": "bold",
-    "axes.grid": True,
-    "axes.axisbelow": True,
-    "grid.color": "#e6e6e6",
-    "legend.frameon": False,
-    "lines.linewidth": 1.5,
-}
 
 
 def read(path):

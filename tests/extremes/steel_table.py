@@ -17,6 +17,9 @@ from concurrent.futures import ThreadPoolExecutor
 import h5py
 import numpy as np
 
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+import static_head
+
 BIN, SCENES = sys.argv[1], sys.argv[2]
 os.environ["OMP_WAIT_POLICY"] = "passive"
 
@@ -169,22 +172,6 @@ the pressure: what lasts longer is chaos. After it, means over the second half o
     return compare(out, stiff, walls, ANGLES[:1] + BED)
 
 
-def angle_lost_by_the_full_body(history, summary):
-    """What the recorded means of force and moment bend the full head by, statically [deg]."""
-    angle = np.radians(history["commanded_angle"])
-    # A row's means belong to the middle of its interval, half of 10 ms before its end.
-    phase = 2 * np.pi * (history["gyration"] - 0.5 * 0.01 * 0.5)
-    # Forces in the tilted frame of the head: the axial force bends the shaft too.
-    force_x = history["head_lateral_x"] - history["head_force"] * angle * np.cos(phase)
-    force_y = history["head_lateral_y"] - history["head_force"] * angle * np.sin(phase)
-    per_moment = summary["head_tilt_per_moment_rad_per_Nm"]
-    per_force = summary["head_tilt_per_force_rad_per_N"]
-    about_x = per_moment * history["head_moment_x"] - per_force * force_y
-    about_y = per_moment * history["head_moment_y"] + per_force * force_x
-    return np.degrees(
-        angle - np.hypot(-angle * np.sin(phase) + about_x, angle * np.cos(phase) + about_y))
-
-
 def modes_against_full(out):
     """The default modes against the full body at every exchange, in the same scene."""
     longer = {"gyration.count": "1", "mould.elastic.modes": "60"}
@@ -208,7 +195,7 @@ angle that a run loses against what the full head loses statically under the run
         for history, summary in runs:
             late = second_half(history)
             lost.append(VALUES["angle_lost"](history)[late])
-            apart.append(lost[-1] - angle_lost_by_the_full_body(history, summary)[late])
+            apart.append(lost[-1] - np.degrees(static_head.angle_lost(history, summary))[late])
         rms = lambda values: np.sqrt(np.mean(np.concatenate(values) ** 2))
         out(f"| {label} | {rms(lost):.2g} | {rms(apart):.2g} |")
         close = close and rms(apart) <= 0.05 * rms(lost)

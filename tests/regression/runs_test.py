@@ -14,6 +14,9 @@ import unittest
 import h5py
 import numpy as np
 
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+import static_head
+
 BIN, SCENES = sys.argv[1], sys.argv[2]
 os.environ["OMP_WAIT_POLICY"] = "passive"  # tests run side by side: waiting threads must not spin
 
@@ -50,18 +53,8 @@ class Runs(unittest.TestCase):
         # Static answer of the full FE head to the recorded moment and force: the run's modes swing
         # with scaled inertia, which may cost 5 % of the angle lost.
         history, summary = self.gyrate("run", STEEL)
-        angle = np.radians(history["commanded_angle"])
-        # A row's means belong to the middle of its interval, half of 10 ms before its end.
-        phase = 2 * np.pi * (history["gyration"] - 0.5 * 0.01 * 0.5)
-        # Forces in the tilted frame of the head: the axial force bends the shaft too.
-        force_x = history["head_lateral_x"] - history["head_force"] * angle * np.cos(phase)
-        force_y = history["head_lateral_y"] - history["head_force"] * angle * np.sin(phase)
-        per_moment = summary["head_tilt_per_moment_rad_per_Nm"]
-        per_force = summary["head_tilt_per_force_rad_per_N"]
-        about_x = per_moment * history["head_moment_x"] - per_force * force_y
-        about_y = per_moment * history["head_moment_y"] + per_force * force_x
-        expected = angle - np.hypot(-angle * np.sin(phase) + about_x, angle * np.cos(phase) + about_y)
-        lost = angle - np.radians(history["internal_angle"])
+        expected = static_head.angle_lost(history, summary)
+        lost = np.radians(history["commanded_angle"] - history["internal_angle"])
         last = history["gyration"] > 1
         rms = lambda values: np.sqrt(np.mean(values[last] ** 2))
         self.assertGreater(rms(lost), 1e-5)
