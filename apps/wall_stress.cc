@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "apps/errors.h"
 #include "apps/program.h"
 #include "apps/stress_cases.h"
 
