@@ -39,7 +39,9 @@ GyratoryScene compressed(const GyratoryScene& scene) {
   const double factor = scene.numerics.time_compression;
   compress(faster.binder, faster.output, factor);
   faster.gyration.ramp /= factor;
+  faster.gyration.dwell /= factor;
   faster.gyration.speed *= factor;
+  faster.gyration.approach_speed *= factor;
   return faster;
 }
 

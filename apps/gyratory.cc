@@ -18,7 +18,7 @@ void foretell(const apps::GyratoryScene& scene, const apps::Mix& mix, const apps
                               dem::RoundMould{machine.mould_radius}};
   const apps::Loading loading = apps::gyratory_loading(scene, machine);
   const apps::SteelForecast steel = apps::steel_forecast(scene, machine);
-  std::cout << "mould            " << 2e3 * machine.mould_radius << " mm wide\n";
+  for (const std::string& line : apps::mould_lines(machine)) std::cout << line << '\n';
   apps::with_law(book, [&]<class Law>() {
     apps::BedForecast told = apps::forecast_bed<Law>(plan, mix, book, loading);
     told.steel_seconds = steel.seconds;
@@ -44,7 +44,7 @@ void compact(const apps::Options& options) {
   apps::with_law(book, [&]<class Law>() {
     apps::Session session(options, apps::stored_scene(asked, options),
                           apps::provenance("gyratory", options, scene.source.text, scene.run.seed),
-                          apps::GyratoryRun<Law>::columns(scene));
+                          apps::GyratoryHistory::columns(scene));
     apps::GyratoryRun<Law> run(scene, mix, book, machine);
     apps::GyratoryPictures pictures(options.out);
     const apps::State state = [&](apps::Archive& item) {

@@ -36,7 +36,21 @@ double measured_exchange(SteelPart& part, dem::Wall& wall) {
 Loading gyratory_loading(const GyratoryScene& scene, const Machine& machine) {
   const GyrationScene& gyration = scene.gyration;
   return {gyration.pressure, gyration.angle * 2 * std::numbers::pi * gyration.speed,
-          gyration.ramp + gyration.count / gyration.speed, 2 * machine.mould_radius};
+          gyration.ramp + gyration.dwell + gyration.count / gyration.speed,
+          2 * machine.mould_radius};
+}
+
+std::vector<std::string> mould_lines(const Machine& machine) {
+  constexpr double flat = 0.3;  // specimen height / diameter: usual ones have 0.7 and more
+  const double diameter = 2 * machine.mould_radius;
+  std::vector<std::string> lines = {fmt::format("mould            {:g} mm wide", 1e3 * diameter)};
+  if (machine.height < flat * diameter)
+    lines.push_back(
+        fmt::format("warning: the mix is flat, {:.2g} mm high in a mould of {:.4g} mm: its highest "
+                    "stones carry "
+                    "the plate and its air voids mean little; take more stones or a narrower mould",
+                    1e3 * machine.height, 1e3 * diameter));
+  return lines;
 }
 
 SteelForecast steel_forecast(const GyratoryScene& scene, const Machine& machine) {

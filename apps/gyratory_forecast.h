@@ -8,6 +8,9 @@ namespace apps {
 
 Loading gyratory_loading(const GyratoryScene& scene, const Machine& machine);
 
+// Its width, and a warning where it is too wide for the mix.
+std::vector<std::string> mould_lines(const Machine& machine);
+
 // Of the elastic bodies, which are meshed and reduced for it.
 struct SteelForecast {
   std::vector<std::string> lines;  // how the modes of each will move

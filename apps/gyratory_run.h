@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <numbers>
 #include <optional>
 
 #include "apps/bed.h"
 #include "apps/bed_results.h"
 #include "apps/gyratory_findings.h"
+#include "apps/gyratory_history.h"
 #include "apps/gyratory_pictures.h"
 #include "apps/machine.h"
 #include "apps/progress.h"
@@ -38,17 +38,8 @@ class GyratoryRun {
 
   void visit_state(Archive& item);  // see dem/state.h
 
-  static std::vector<Column> columns(const GyratoryScene& scene);
-
  private:
   enum Part { floor, mould, head };  // the walls, in the order they are added
-
-  // Means over the time since the last row, so that a row carries balance and not chatter.
-  struct Means {
-    double span = 0;                                   // [s]
-    dem::Vec3d force = {0, 0, 0}, moment = {0, 0, 0};  // on the head [N s], [N m s]
-    double mould_push = 0, ram_force = 0;              // [N s]
-  };
 
   Law wall_law(Part part, bool bonds) const;
   double air_voids(double plate_height) const;
@@ -57,7 +48,7 @@ class GyratoryRun {
   dem::Ram ram() const;
   void mount_head();
   void step();
-  std::vector<double> row();
+  GyratoryHistory::Moment moment() const;
   void record(Recorder& recorder);
   void draw(Recorder& recorder, GyratoryPictures& pictures);
 
@@ -76,14 +67,11 @@ class GyratoryRun {
   double plate_start_ = 0;     // middle of the plate then [m]
   double settled_height_ = 0;  // of the bed then, mean of its highest points [m]
   std::int64_t settled_steps_ = 0;
-  Means means_;
+  GyratoryHistory history_;
   double next_row_ = 0, next_picture_ = 0;  // [s]
   WallOutputs wall_outputs_;
   TimeBudget budget_;
   FillingHistory filling_;
-  std::vector<std::vector<double>> ramp_rows_;  // held until air_voids_decrease has its reference
-  std::vector<std::vector<double>> rows_;       // of the last two gyrations, for the findings
-  std::optional<double> voids_at_start_;        // when the gyrations begin [-]
 };
 
 template <class Law>
@@ -124,12 +112,9 @@ void GyratoryRun<Law>::visit_state(Archive& item) {
   if (elastic_mould_) elastic_mould_->visit_state(item, "mould.modes.");
   item("settled_height", settled_height_);
   item("settled_steps", settled_steps_);
-  item("means", means_);
+  history_.visit_state(item);
   item("next_row", next_row_);
   item("next_picture", next_picture_);
-  item("ramp_rows", ramp_rows_);
-  item("last_rows", rows_);
-  item("voids_at_start", voids_at_start_);
 }
 
 template <class Law>
@@ -197,7 +182,9 @@ dem::Ram GyratoryRun<Law>::ram() const {
           gyration.ramp,
           gyration.angle,
           gyration.speed,
-          gyration.spin};
+          gyration.spin,
+          gyration.dwell,
+          gyration.approach_speed};
 }
 
 // Puts the inclined head on the bed and lets shells bond from now on.
@@ -227,7 +214,7 @@ void GyratoryRun<Law>::mount_head() {
 
 template <class Law>
 double GyratoryRun<Law>::gyration() const {
-  return (bed_.time() - closed_at_ - scene_.gyration.ramp) * scene_.gyration.speed;
+  return (bed_.time() - ram().turns_from()) * scene_.gyration.speed;
 }
 
 template <class Law>
@@ -256,97 +243,45 @@ void GyratoryRun<Law>::step() {
     budget_.sample(TimeBudget::outputs, looked - stepped);
     budget_.sample(TimeBudget::steel, wall_clock() - looked);
   }
-  means_.span += dt;
-  means_.force += plate.force * dt;
-  means_.moment += plate.moment * dt;
-  means_.mould_push += ring.push * dt;
-  means_.ram_force += std::get<dem::Ram>(plate.motion).force_at(bed_.time()) * dt;
+  history_.look(plate, ring, bed_.time(), dt);
 }
 
 template <class Law>
-std::vector<Column> GyratoryRun<Law>::columns(const GyratoryScene& scene) {
-  std::vector<Column> all = {{"time", "s"},
-                             {"gyration", "1"},
-                             {"height", "m"},
-                             {"air_voids", "1"},
-                             {"ram_pressure", "Pa"},
-                             {"head_force", "N"},
-                             {"head_lateral_x", "N"},
-                             {"head_lateral_y", "N"},
-                             {"head_moment_x", "N m"},
-                             {"head_moment_y", "N m"},
-                             {"commanded_angle", "deg"},
-                             {"internal_angle", "deg"},
-                             {"fractured", "1"},
-                             {"bonds", "1"},
-                             {"coordination", "1"},
-                             {"kinetic_energy", "J"},
-                             {"mould_force", "N"},
-                             {"time_step", "s"}};
-  if (scene.output.energy_ledger) add_energy_columns(all);
-  std::ranges::copy(WallOutputs::columns(scene), std::back_inserter(all));
-  all.push_back({"air_voids_decrease", "1"});
-  return all;
-}
-
-// One value per column but the last.
-template <class Law>
-std::vector<double> GyratoryRun<Law>::row() {
-  const double degree = 180 / std::numbers::pi;
+GyratoryHistory::Moment GyratoryRun<Law>::moment() const {
   const dem::PlateFace face = dem::plate_face(bed_.walls()[head]);
-  const double span = means_.span;
-  std::vector<double> values = {bed_.time() - closed_at_,
-                                std::max(0.0, gyration()),
-                                face.mean_height,
-                                air_voids(face.mean_height),
-                                means_.ram_force / span / machine_.section,
-                                means_.force.z / span,
-                                means_.force.x / span,
-                                means_.force.y / span,
-                                means_.moment.x / span,
-                                means_.moment.y / span,
-                                scene_.gyration.angle * degree,
-                                face.angle * degree,
-                                static_cast<double>(bed_.cracks().size()),
-                                static_cast<double>(bed_.pairs().held()),
-                                2.0 * static_cast<double>(bed_.pairs().touching(bed_.stones())) /
-                                    static_cast<double>(bed_.stones().size()),
-                                dem::kinetic_energy(bed_.stones()),
-                                means_.mould_push / span,
-                                bed_.time_step()};
-  if (ledger_) add_energies(values, ledger_->energies());
-  std::ranges::copy(wall_outputs_.row(), std::back_inserter(values));
-  means_ = {};
-  return values;
+  const dem::ParticleStore& stones = bed_.stones();
+  return {.time = bed_.time() - closed_at_,
+          .gyration = gyration(),
+          .height = face.mean_height,
+          .air_voids = air_voids(face.mean_height),
+          .internal_angle = face.angle,
+          .fractured = static_cast<double>(bed_.cracks().size()),
+          .bonds = static_cast<double>(bed_.pairs().held()),
+          .coordination = 2.0 * static_cast<double>(bed_.pairs().touching(stones)) /
+                          static_cast<double>(stones.size()),
+          .kinetic_energy = dem::kinetic_energy(stones),
+          .time_step = bed_.time_step()};
 }
 
 template <class Law>
 void GyratoryRun<Law>::record(Recorder& recorder) {
-  std::vector<double> values = row();
-  const double voids = values[3];
-  wall_outputs_.turn(gyration(), bed_.walls()[mould], elastic_mould_, recorder);
-  const auto put = [&](std::vector<double> r) {
-    r.push_back(*voids_at_start_ - r[3]);
-    recorder.append(r);
-  };
-  if (gyration() < 0) {
-    filling_.record(recorder, bed_.time(), bed_.stones(), values[4]);
-    ramp_rows_.push_back(std::move(values));
-    return;
+  const GyratoryHistory::Moment now = moment();
+  std::vector<double> row = history_.end_row(now, scene_, machine_.section);
+  if (ledger_) add_energies(row, ledger_->energies());
+  std::ranges::copy(wall_outputs_.row(), std::back_inserter(row));
+  wall_outputs_.turn(now.gyration, bed_.walls()[mould], elastic_mould_, recorder);
+  if (now.gyration < 0) {
+    constexpr std::size_t ram_pressure = 4;  // its column
+    filling_.record(recorder, bed_.time(), bed_.stones(), row[ram_pressure]);
   }
-  if (!voids_at_start_) {
-    voids_at_start_ = voids;
-    for (auto& held : ramp_rows_) put(std::move(held));
-  }
-  if (gyration() >= scene_.gyration.count - 2) rows_.push_back(values);
-  put(std::move(values));
+  history_.record(recorder, now, scene_.gyration.count, std::move(row));
 }
 
 template <class Law>
 void GyratoryRun<Law>::compact(Recorder& recorder, GyratoryPictures& pictures, Progress& progress,
                                const Pulse& pulse) {
-  const double length = scene_.gyration.ramp + scene_.gyration.count / scene_.gyration.speed;
-  const double end = closed_at_ + length;
+  const double end = ram().turns_from() + scene_.gyration.count / scene_.gyration.speed;
+  const double length = end - closed_at_;
   budget_.enter(TimeBudget::stepping);
   const double began = wall_clock();
   const std::int64_t first_step = bed_.steps();
@@ -393,9 +328,10 @@ void GyratoryRun<Law>::draw(Recorder& recorder, GyratoryPictures& pictures) {
 
 template <class Law>
 std::vector<Finding> GyratoryRun<Law>::findings(double wall_seconds) const {
-  const GyratoryOutcome outcome = {report_on(bed_), wall_seconds,   settled_steps_,
-                                   settled_height_, head_mass_,     voids_at_start_.value(),
-                                   elastic_head_,   elastic_mould_, {columns(scene_), rows_}};
+  const GyratoryOutcome outcome = {
+      report_on(bed_), wall_seconds,   settled_steps_,
+      settled_height_, head_mass_,     history_.voids_at_start(),
+      elastic_head_,   elastic_mould_, {GyratoryHistory::columns(scene_), history_.last_rows()}};
   std::vector<Finding> found = gyratory_findings(scene_, mix_, machine_, outcome);
   std::ranges::copy(budget_.findings(), std::back_inserter(found));
   if (ledger_) {

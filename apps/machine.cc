@@ -13,8 +13,7 @@ namespace {
 
 constexpr double reference_voids = 0.04;    // of the specimen that sizes a mould [-]
 constexpr double clearance_share = 1.5e-3;  // plate clearance / mould diameter (EN 12697-31) [-]
-constexpr double lowest = 0.3,
-                 highest = 3;  // specimen height / diameter that still is a compaction
+constexpr double highest = 3;               // specimen height / diameter that still is a compaction
 constexpr double least_stones_across = 2.5;  // mould diameter / largest stone
 
 }  // namespace
@@ -26,15 +25,13 @@ Machine size_machine(const GyratoryScene& scene, const Mix& mix) {
       std::cbrt(4 * volume / (pi * scene.mould.aspect_ratio.value_or(1))));
   const double height = volume / (pi / 4 * diameter * diameter);
   std::vector<std::string> mistakes;
-  if (height < lowest * diameter || height > highest * diameter) {
-    const double per_stone = height / diameter / scene.stones.count;
-    mistakes.push_back(
-        scene.where("stones.count") + ": expected " +
-        std::to_string(static_cast<int>(std::ceil(lowest / per_stone))) + " to " +
-        std::to_string(static_cast<int>(highest / per_stone)) + " stones for a mould of " +
-        fmt::format("{:.4g}", 1e3 * diameter) + " mm, found " + std::to_string(scene.stones.count) +
-        "; change the count, or give mould.aspect_ratio instead of mould.diameter to "
-        "scale the mould to the stones");
+  if (height > highest * diameter) {
+    const double most = highest * diameter / height * scene.stones.count;
+    mistakes.push_back(fmt::format(
+        "{}: expected at most {:.0f} stones for a mould of {:.4g} mm, found {}; change the "
+        "count, or give mould.aspect_ratio instead of mould.diameter to scale the mould "
+        "to the stones",
+        scene.where("stones.count"), std::floor(most), 1e3 * diameter, scene.stones.count));
   }
   const double largest = 2 * mix.largest_radius();
   if (diameter < least_stones_across * largest)
@@ -46,7 +43,7 @@ Machine size_machine(const GyratoryScene& scene, const Mix& mix) {
                        " mm; take a wider mould or more stones");
   if (!mistakes.empty()) throw InputError(mistakes);
   const double radius = diameter / 2;
-  return {radius, radius * (1 - clearance_share), pi * radius * radius};
+  return {radius, radius * (1 - clearance_share), pi * radius * radius, height};
 }
 
 double rigid_head_mass(const HeadScene& head, const Machine& machine) {

@@ -10,6 +10,7 @@ struct Machine {
   double mould_radius;  // inside [m]
   double plate_radius;  // [m], less than the mould's by the usual clearance
   double section;       // cross section of the mould, on which the pressure is meant [m2]
+  double height;        // of the specimen at the air voids by which moulds are sized [m]
 
   double specimen_volume(double height) const { return section * height; }  // [m3]
 };

@@ -101,9 +101,11 @@ struct GyrationScene {
   double angle = 0.017453292519943295;  // tilt imposed at the ram root [rad]
   double pressure = 600e3;              // ram force / mould cross section [Pa]
   double ramp = 1.0;                    // linear pressure ramp before the gyrations [s]
+  double dwell = 0.5;                   // at full pressure, before the gyrations [s]
   double speed = 0.5;                   // [rev/s]
   double count = 100;                   // gyrations
   bool spin = false;                    // true: the plate turns with the tilt direction
+  double approach_speed = 0.1;          // where oil loses all pressure on its way to the ram [m/s]
 };
 
 struct FlowScene {

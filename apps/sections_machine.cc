@@ -7,6 +7,7 @@ namespace {
 constexpr Unit millimetre{"mm", "m"}, second{"s", "s"}, degree{"deg", "rad"};
 constexpr Unit kilopascal{"kPa", "Pa"}, gigapascal{"GPa", "Pa"}, density{"kg/m3", "kg/m3"};
 constexpr Unit kilogram{"kg", "kg"}, revolutions{"rev/s", "rev/s"}, speed{"mm/min", "m/s"};
+constexpr Unit approach{"mm/s", "m/s"};
 
 constexpr const char* gyratory_test = "Olsson, Jelagin, Partl, section 3.3";
 constexpr const char* flow_test = "Olsson, Jelagin, Partl, section 3.2";
@@ -95,10 +96,16 @@ Section describe(GyrationScene& gyration) {
         "force of the ram / cross section of the mould", gyratory_test},
        {&gyration.ramp, "ramp", second, positive,
         "time in which the pressure rises linearly, before the gyrations", gyratory_test},
+       {&gyration.dwell, "dwell", second, at_least(0),
+        "time at full pressure before the gyrations, until the ram has come down", ours},
        {&gyration.speed, "speed", revolutions, positive, "of the gyrations", gyratory_test},
        {&gyration.count, "count", pure, positive, "number of gyrations", ours},
        {&gyration.spin, "spin", pure, unbounded,
-        "true: the plate turns with its tilt; false: it precesses, as in a real machine", ours}}};
+        "true: the plate turns with its tilt; false: it precesses, as in a real machine", ours},
+       {&gyration.approach_speed, "approach_speed", approach, positive,
+        "of the ram at most: on its way through the valve oil loses pressure with the square of "
+        "the ram's speed, at this one all of it",
+        ours}}};
 }
 
 Section describe(FlowScene& flow) {

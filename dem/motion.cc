@@ -11,8 +11,13 @@ double Ram::force_at(double time) const {
   return force * std::clamp((time - ramp_start) / ramp, 0.0, 1.0);
 }
 
+double Ram::thrust_at(double time, double velocity) const {
+  const double share = velocity / valve_speed;
+  return force_at(time) + force * share * std::abs(share);
+}
+
 double Ram::phase_at(double time) const {
-  return 2 * std::numbers::pi * speed * std::max(0.0, time - ramp_start - ramp);
+  return 2 * std::numbers::pi * speed * std::max(0.0, time - turns_from());
 }
 
 void orient(const Ram& ram, Frame& frame, double time) {
@@ -24,7 +29,7 @@ void orient(const Ram& ram, Frame& frame, double time) {
   frame.ex = ram.spin ? x : x * c - y * s;
   frame.ey = ram.spin ? y : x * s + y * c;
   frame.ez = z;
-  const bool turning = time > ram.ramp_start + ram.ramp;
+  const bool turning = time > ram.turns_from();
   const double rate = turning ? 2 * std::numbers::pi * ram.speed : 0;
   const Vec3d axis = {0, 0, 1};
   frame.spin = ram.spin ? axis * rate : (axis - z) * rate;
@@ -37,8 +42,12 @@ void advance(const Motion& motion, Frame& frame, const Vec3d& contact_force, dou
     frame.velocity = driven->velocity;
     frame.origin += driven->velocity * dt;
   } else if (const auto* ram = std::get_if<Ram>(&motion)) {
+    // With the loss in the valve at the speed that is reached: stable for any step.
+    const double kick = steps.kick() / ram->inertia;
     const double push = contact_force.z - ram->force_at(time) - ram->weight;
-    frame.velocity.z += steps.kick() * push / ram->inertia;
+    const double lossless = frame.velocity.z + kick * push;
+    const double loss = kick * ram->force / (ram->valve_speed * ram->valve_speed);  // [s/m]
+    frame.velocity.z = 2 * lossless / (1 + std::sqrt(1 + 4 * loss * std::abs(lossless)));
     frame.origin.z += dt * frame.velocity.z;
     orient(*ram, frame, time + dt);
   }

@@ -1,6 +1,7 @@
 // How walls move.
 #pragma once
 
+#include <limits>
 #include <variant>
 
 #include "dem/frame.h"
@@ -17,7 +18,10 @@ struct Driven {
 
 // The root of a gyratory compactor's ram: an axial force and a precessing tilt are imposed, the
 // axial position follows from the balance of forces.
-//   tilt direction phase = 2 pi speed (time - ramp end), precession without spin unless `spin`.
+//   tilt direction phase = 2 pi speed (time - start of turning), precession without spin unless
+//   `spin`.
+// Oil reaches the ram through a valve and loses pressure there with the square of its speed, as in
+// every orifice: all of it at the valve speed, next to nothing while the ram creeps.
 // The frame's origin stays on the mould axis (the laboratory's z axis).
 struct Ram {
   double inertia;     // of the head, mass scaling included [kg]
@@ -28,9 +32,13 @@ struct Ram {
   double angle;       // tilt of the ram root [rad]
   double speed;       // [rev/s]
   bool spin;          // true: the head turns with the tilt direction
+  double dwell = 0;   // at full force, before the tilt goes round [s]
+  double valve_speed = std::numeric_limits<double>::infinity();  // [m/s]
 
-  double force_at(double time) const;  // [N]
-  double phase_at(double time) const;  // [rad]
+  double force_at(double time) const;                    // before the valve, downwards [N]
+  double thrust_at(double time, double velocity) const;  // behind it [N], velocity upwards [m/s]
+  double turns_from() const { return ramp_start + ramp + dwell; }  // [s]
+  double phase_at(double time) const;                              // [rad]
 };
 
 using Motion = std::variant<Fixed, Driven, Ram>;

@@ -49,7 +49,7 @@ def settings(place, long):
     yield "as it is", {}
     scaled = {"mould.diameter": "none", "mould.aspect_ratio": 1}
     for count in (1, 2):
-        yield f"{count} stones", {**scaled, "stones.count": count}
+        yield f"{count} stones", {"stones.count": count, "mould.diameter": "28 mm"}
     if long:
         yield "20,000 stones, 0.02 gyrations", {
             **scaled, "stones.count": 20000, "gyration.count": 0.02, "gyration.ramp": "0.05 s",
@@ -75,7 +75,7 @@ def settings(place, long):
                            "binder.content": "6.6 %", "mould.diameter": "50 mm"}
     yield "sizes 1:16", {"stones.gradation": sieves(place, [(1, 0), (16, 100)]),
                          "stones.distribution": "log_linear", "stones.smallest": "1 mm",
-                         "stones.count": 800, **scaled}
+                         "stones.count": 3000, "mould.diameter": "40 mm"}
     yield "weak stones", {"stones.fracture.scale": "40 MPa"}
     for scale in (1, 1e2, 1e5, 1e6, 1e7):
         brief = {"gyration.ramp": "0.02 s", "gyration.count": 0.02} if scale < 10 else {}

@@ -62,9 +62,14 @@ TEST(motion, the_ram_force_ramps_up_and_stays) {
 }
 
 TEST(motion, gyrations_are_counted_from_the_end_of_the_ramp) {
-  // By definition: 2 pi x 0.5 rev/s.
+  // By definition: 2 pi x 0.5 rev/s; from the end of a dwell where there is one.
   EXPECT_EQ(ram(false).phase_at(1.4), 0);
   EXPECT_NEAR(ram(false).phase_at(3.5), 2 * pi, 1e-12);
+  Ram dwelling = ram(false);
+  dwelling.dwell = 0.5;
+  EXPECT_EQ(dwelling.phase_at(2), 0);
+  EXPECT_EQ(norm(oriented(dwelling, 1.9).spin), 0);
+  EXPECT_NEAR(dwelling.phase_at(4), 2 * pi, 1e-12);
 }
 
 TEST(motion, the_axes_of_a_ram_stay_orthonormal) {
@@ -137,6 +142,30 @@ TEST(motion, an_unopposed_ram_falls_under_its_force_and_weight) {
   EXPECT_NEAR(frame.origin.z / (-rate * 1e-6 / 2 * (1 + 1.0 / steps)), 1, 1e-12);
   EXPECT_EQ(frame.origin.x, 0);
   EXPECT_EQ(frame.origin.y, 0);
+}
+
+TEST(motion, an_unopposed_ram_comes_to_the_speed_at_which_the_valve_takes_all) {
+  // Closed form: F + W = F (v / v_valve)^2; steps far longer than the time it takes, m v_valve / F,
+  // end there too, from above and from below.
+  Ram made = ram(false);
+  made.ramp_start = made.ramp = 0;
+  made.valve_speed = 0.1;
+  const double speed = 0.1 * std::sqrt(1 + 29.43 / 10603);
+  for (const double dt : {1e-6, 1e-4, 1e-2}) {
+    Frame frame;
+    for (int n = 0; n < 1000; ++n) advance(made, frame, {0, 0, 0}, n * dt, {dt, dt});
+    EXPECT_NEAR(frame.velocity.z / -speed, 1, 1e-9);
+    EXPECT_NEAR(made.thrust_at(1, frame.velocity.z), -29.43, 1e-5);
+  }
+}
+
+TEST(motion, the_valve_takes_little_of_a_creeping_ram_and_nothing_of_one_without_it) {
+  // By definition: the share lost is the square of speed / valve speed, against the motion.
+  Ram made = ram(false);
+  EXPECT_EQ(made.thrust_at(2, -1.0), 10603);
+  made.valve_speed = 0.1;
+  EXPECT_NEAR(made.thrust_at(2, -0.5e-3), 10603 * (1 - 25e-6), 1e-9);
+  EXPECT_NEAR(made.thrust_at(2, 0.05), 10603 * 1.25, 1e-9);
 }
 
 TEST(motion, a_ram_in_balance_keeps_its_velocity) {
