@@ -7,53 +7,33 @@ import re
 import signal
 import subprocess
 import sys
-import tempfile
 import time
-import unittest
 
 import h5py
-
-BIN, SCENES = sys.argv[1], sys.argv[2]
-os.environ["OMP_WAIT_POLICY"] = "passive"  # tests run side by side: waiting threads must not spin
+from small_runs import FLOW, RIGID, SCENES, SmallRuns, command, run_named_test, run_script
 
 TINY = ["stones.count=40", "mould.diameter=32 mm", "fill.rest_energy=0.1", "gyration.ramp=0.05 s",
         "gyration.speed=5 rev/s", "gyration.count=1", "output.picture_interval=0.02 s"]
-RIGID = ["head.elastic=none", "mould.elastic=none"]
 STEEL = ["head.elastic.modes=6", "mould.elastic.modes=6", "mould.elastic.height=60 mm",
          "head.elastic.shaft_diameter=14 mm"]
-FLOW = ["stones.count=130", "flow.length=50 mm", "flow.width=35 mm", "flow.height=30 mm",
-        "flow.strip_length=15 mm", "flow.displacement=0.15 mm"]
 
 
-class Looks(unittest.TestCase):
-    def setUp(self):
-        self.place = tempfile.TemporaryDirectory()
-        self.addCleanup(self.place.cleanup)
-
-    def line(self, name, overrides, program="gyratory"):
-        scene = {"gyratory": "gyratory_sma11_150C.toml", "flow_test": "flow_sma11_150C.toml"}
-        folder = os.path.join(self.place.name, name)
-        line = [os.path.join(BIN, program), os.path.join(SCENES, scene[program]), "--quiet",
-                "--out", folder]
-        for override in overrides:
-            line += ["--set", override]
-        return line, folder
-
+class Looks(SmallRuns):
     def run_scene(self, name, overrides, program="gyratory"):
-        line, folder = self.line(name, overrides, program)
-        subprocess.run(line, check=True)
+        folder = self.folder(name)
+        subprocess.run(command(program, folder, overrides), check=True)
         return folder
 
     def script(self, name, *arguments):
-        done = subprocess.run(["/usr/bin/python3", os.path.join(SCENES, "..", name), *arguments],
-                              capture_output=True, text=True)
+        done = run_script(name, *arguments)
         self.assertEqual(done.returncode, 0, done.stderr)
         return done.stdout.split()
 
     def page(self, *folders):
         with open(self.script("plot_run.py", *folders)[-1]) as file:
             page = file.read()
-        self.assertEqual(re.findall(r'(?:src|href)="[^#][^"]*"', page), [])  # needs no other file
+        # Needs no other file.
+        self.assertEqual(re.findall(r'(?:src|href)="(?!#|data:)[^"]*"', page), [])
         return page, set(re.findall(r'<h2 id="([a-z]+)">', page))
 
     def test_vtk_reads_the_pictures_of_a_run(self):
@@ -128,14 +108,14 @@ class Looks(unittest.TestCase):
         _, parts = self.page(*gyratory)
         self.assertEqual(parts, {"compaction", "head", "stones", "voids", "gradation", "filling",
                                  "budget"})
-        mixed = subprocess.run(["/usr/bin/python3", os.path.join(SCENES, "..", "plot_run.py"),
-                                flows[0], gyratory[0]], capture_output=True, text=True)
+        mixed = run_script("plot_run.py", flows[0], gyratory[0])
         self.assertNotEqual(mixed.returncode, 0)
         self.assertIn("runs of one program", mixed.stderr)
 
     def test_a_run_can_be_watched_while_it_fills(self):
-        line, folder = self.line("run", RIGID + ["fill.rest_energy=1e-9"])
-        process = subprocess.Popen(line, stderr=subprocess.DEVNULL)
+        folder = self.folder("run")
+        process = subprocess.Popen(command("gyratory", folder, RIGID + ["fill.rest_energy=1e-9"]),
+                                   stderr=subprocess.DEVNULL)
         while not os.path.exists(os.path.join(folder, "results.h5")):
             time.sleep(0.01)
         time.sleep(2)
@@ -150,15 +130,25 @@ class Looks(unittest.TestCase):
     def test_a_run_is_rendered(self):
         from PIL import Image
 
-        folder = self.run_scene("run", TINY + RIGID)
+        folder = self.run_scene("run", TINY + RIGID + ["output.picture_interval=0 s",
+                                                       "output.movie=true"])
         self.script("render_run.py", folder)
         for name in ("packing.png", "forces.png", "fractures.png", "slices.png", "gyration.gif"):
             with Image.open(os.path.join(folder, "renders", name)) as image:
                 used = image.convert("RGB").getcolors(1 << 24)
                 self.assertGreater(len(used), 20, name)  # not an empty stage
                 if name.endswith(".gif"):
-                    self.assertGreaterEqual(image.n_frames, 8)
+                    self.assertGreaterEqual(image.n_frames, 16)
+
+    def test_a_run_without_a_movie_says_what_to_set(self):
+        # A sixteenth of a gyration at 5 rev/s is 12.5 ms.
+        folder = self.run_scene("run", TINY + RIGID + ["output.movie=false"])
+        done = run_script("render_run.py", folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn('with output.movie = true or output.picture_interval = "0.0125 s"',
+                      done.stderr)
+        self.assertFalse(os.path.exists(os.path.join(folder, "renders", "gyration.gif")))
 
 
 if __name__ == "__main__":
-    unittest.main(argv=[sys.argv[0], "Looks.test_" + sys.argv[3]])
+    run_named_test(Looks)

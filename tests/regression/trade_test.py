@@ -3,15 +3,10 @@
 import os
 import signal
 import subprocess
-import sys
-import tempfile
 import time
-import unittest
 
 import h5py
-
-BIN, SCENES = sys.argv[1], os.path.abspath(sys.argv[2])
-os.environ["OMP_WAIT_POLICY"] = "passive"
+from small_runs import BIN, SCENES, SmallRuns, run_named_test, run_script
 
 STUDY = """[study]
 program = "flow_test"
@@ -34,14 +29,13 @@ numerics.safety = 0.2
 """
 
 
-class Trade(unittest.TestCase):
+class Trade(SmallRuns):
     def setUp(self):
-        self.place = tempfile.TemporaryDirectory()
-        self.addCleanup(self.place.cleanup)
-        self.out = os.path.join(self.place.name, "out")
+        super().setUp()
+        self.out = self.folder("out")
 
     def command(self, text, *options):
-        study = os.path.join(self.place.name, "study.toml")
+        study = self.folder("study.toml")
         with open(study, "w") as file:
             file.write(text.format(scenes=SCENES))
         return [os.path.join(BIN, "trade"), study, "--out", self.out, "--quiet", *options]
@@ -97,8 +91,8 @@ class Trade(unittest.TestCase):
         self.assertEqual(self.runs(), {})
 
     def test_a_run_in_numerical_trouble_is_told(self):
-        crushing = STUDY.replace("safety = 0.2", 'largest_overlap = 1e-9\nbinder = "none"\nstones.count = 300')
-        answer = self.study(crushing)
+        answer = self.study(STUDY.replace(
+            "safety = 0.2", 'largest_overlap = 1e-9\nbinder = "none"\nstones.count = 300'))
         self.assertEqual(answer.returncode, 0, answer.stderr)
         self.assertRegex(answer.stdout, r"\| the same \| stopped: .*stone \d+, time .* overlap")
 
@@ -116,10 +110,9 @@ class Trade(unittest.TestCase):
                         self.assertTrue((ledger[quantity][name][:] == value[:]).all(), quantity)
             self.assertGreater(min(ledger["seconds"]), max(standard["seconds"]))
             self.assertGreater(min(file["settings/reference/seconds"]), max(standard["seconds"]))
-        plot = os.path.join(SCENES, "..", "plot_trade.py")
-        subprocess.run([sys.executable, plot, self.out], check=True, capture_output=True)
+        self.assertEqual(run_script("plot_trade.py", self.out).returncode, 0)
         self.assertTrue(os.path.exists(os.path.join(self.out, "trade.svg")))
 
 
 if __name__ == "__main__":
-    unittest.main(argv=[sys.argv[0], "Trade.test_" + sys.argv[3]])
+    run_named_test(Trade)
