@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Holds the paper against its study: plot_paper.py GYRATORY_DIR FLOW_DIR [--out DIR]
 
-Takes what trade left of apps/scenes/studies/paper_gyratory.toml and paper_flow.toml, draws the figures
-of Olsson, Jelagin & Partl anew (paper.png: 3a, 3b, 4a, 4b) and writes every statement of theirs with
-what is found (paper.md)."""
+Takes what trade left of apps/scenes/studies/paper_gyratory.toml and paper_flow.toml, draws the
+figures of Olsson, Jelagin & Partl anew (paper.png: 3a, 3b, 4a, 4b) and writes every statement of
+theirs with what is found (paper.md)."""
 import argparse
 import json
 import pathlib
@@ -140,7 +140,8 @@ def draw(gyratory, flow, out):
         depth = np.linspace(0, min(run.columns["displacement"][-1] for mix in flow.values()
                                    for run in mix.runs), 200)[1:]
         turns = np.linspace(0, 2, 200)[1:]
-        style = lambda key: {"color": RED if key[1] == 150 else BLUE, "alpha": 1 if key[2] else 0.55,
+        style = lambda key: {"color": RED if key[1] == 150 else BLUE,
+                             "alpha": 1 if key[2] else 0.55,
                              "linestyle": "-" if key[0].startswith("SMA") else "--"}
         for key, mix in flow.items():
             a.plot(1e3 * depth, 1e-3 * mix.curve("displacement", "pressure", depth), **style(key),
@@ -183,8 +184,8 @@ Made by
     python3 apps/plot_paper.py paper_gyratory paper_flow --out apps/docs
 
 with {summary["stones"]} stones instead of 5000, two gyrations, three seeds, `standard`; SMA 11 and
-AC 11, 110 and 150 degC, two binder contents each. "Agrees" and "against" are said where the difference
-is beyond twice its standard error over configurations and seeds.
+AC 11, 110 and 150 degC, two binder contents each. "Agrees" and "against" are said where the
+difference is beyond twice its standard error over configurations and seeds.
 
 ![Figures 3 and 4 anew](paper.png)
 

@@ -26,7 +26,7 @@ from plots.style import STYLE
 def save(figure, out):
     """Replaces the picture as a whole, for viewers that watch it."""
     part = out.with_name(".part_" + out.name)  # the ending tells matplotlib the format
-    figure.savefig(part, dpi=120)
+    figure.savefig(part, dpi=120 if out.suffix == ".png" else 200)
     part.replace(out)
 
 
@@ -77,12 +77,22 @@ def watch(folder, out, interval):
         time.sleep(interval)
 
 
+def name_apart(runs):
+    """By what differs in the paths of their folders."""
+    paths = [list(run.folder.resolve().parts) for run in runs]
+    for end in (0, -1):
+        while all(len(path) > 1 and path[end] == paths[0][end] for path in paths):
+            for path in paths:
+                path.pop(end)
+    for run, path in zip(runs, paths):
+        run.name = "/".join(path)
+
+
 def one_program(runs):
     if len({run.gyratory for run in runs}) > 1:
         sys.exit("expected runs of one program, found gyratory and flow_test; plot them apart")
     if len({run.name for run in runs}) < len(runs):
-        for run in runs:
-            run.name = str(run.folder)
+        name_apart(runs)
 
 
 def main():

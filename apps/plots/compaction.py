@@ -1,8 +1,7 @@
 """What a gyratory compaction and a compaction flow test are run for, over time."""
 import numpy as np
 
-from .style import (BLUE, GREY, INK, LINES, RED, colour_of, curves, figure, name_runs,
-                    whole_numbers)
+from .style import GREY, INK, LINES, RED, colour_of, curves, figure, name_runs, whole_numbers
 
 GYRATION, TIME = ("gyration", "gyrations"), ("time", "time")
 
@@ -53,7 +52,8 @@ def draw_angle(axes, runs):
 
 def draw_fractured(axes, runs, x):
     for run in runs:
-        axes.step(run.shown(x[0]), run.columns["fractured"], where="post",
+        rows = run.gyrating() if x is GYRATION else slice(None)
+        axes.step(run.shown(x[0])[rows], run.columns["fractured"][rows], where="post",
                   color=INK if len(runs) == 1 else colour_of(runs, run))
     axes.set_title("Fractured stones")
     axes.set_xlabel(runs[0].label(x[1], x[0]))
@@ -78,23 +78,24 @@ def centre_of_force(run):
 
 
 def draw_moment(axes, runs):
-    for run in runs:
-        rows = run.gyrating()
-        moment = np.hypot(run.columns["head_moment_x"], run.columns["head_moment_y"])[rows]
-        axes.plot(run.shown("gyration")[rows], moment, color=colour_of(runs, run), linewidth=0.8)
-    axes.set_title("Moment on the head")
-    axes.set_xlabel("gyrations [-]")
-    axes.set_ylabel("moment [N m]")
-    axes.set_ylim(bottom=0)
+    moment = lambda run: np.hypot(run.columns["head_moment_x"],
+                                  run.columns["head_moment_y"])[run.gyrating()]
+    over_gyrations(axes, runs, moment, "Moment on the head", "moment [N m]")
 
 
 def draw_eccentricity(axes, runs):
+    over_gyrations(axes, runs, lambda run: np.hypot(*centre_of_force(run)),
+                   "Eccentricity of the force, moment / force", "from the middle [mm]")
+
+
+def over_gyrations(axes, runs, found, title, words):
+    """What is found in a run, from zero."""
     for run in runs:
-        axes.plot(run.shown("gyration")[run.gyrating()], np.hypot(*centre_of_force(run)),
-                  color=colour_of(runs, run), linewidth=0.8)
-    axes.set_title("Eccentricity of the force, moment / force")
+        axes.plot(run.shown("gyration")[run.gyrating()], found(run), color=colour_of(runs, run),
+                  linewidth=0.8)
+    axes.set_title(title)
     axes.set_xlabel("gyrations [-]")
-    axes.set_ylabel("from the middle [mm]")
+    axes.set_ylabel(words)
     axes.set_ylim(bottom=0)
 
 
@@ -121,7 +122,7 @@ def compaction(runs):
     curves(axes[1, 0], runs, GYRATION, [("height", None)], "Height of the specimen", "height",
            gyrating)
     draw_fractured(axes[1, 1], runs, GYRATION)
-    name_runs(axes[0, 0], runs)
+    name_runs(page, runs)
     return page
 
 
@@ -137,7 +138,7 @@ def head(runs):
                                         ("floor_traction", "floor")],
            "Mean pressure of the mix on the steel", "pressure", gyrating)
     axes[2, 1].set_ylim(bottom=0)
-    name_runs(axes[0, 0], runs, loc="lower right")
+    name_runs(page, runs)
     return page
 
 
@@ -163,7 +164,7 @@ def flow(runs):
         panel.set_xlabel("displacement / height of the bed [-]")
         panel.set_ylabel(words)
     axes[1].axhline(0, color=INK, linewidth=0.8)
-    name_runs(axes[0], runs)
+    name_runs(page, runs)
     return page
 
 
@@ -188,7 +189,7 @@ def filling(runs):
     axes[1].set_ylabel("energy [J]")
     for panel in axes:
         panel.set_xlabel("time from the beginning of the run [s]")
-    name_runs(axes[0], runs)
+    name_runs(page, runs)
     return page
 
 

@@ -49,5 +49,5 @@ def energy(runs):
     axes[-1].set_title("Not accounted for")
     axes[-1].set_xlabel("time [s]")
     axes[-1].set_ylabel("of the work [%]")
-    name_runs(axes[-1], runs)
+    name_runs(page, runs)
     return page

@@ -7,7 +7,7 @@ from . import budget, compaction, energy, stones, walls
 GYRATORY = [
     ("compaction", "Compaction", compaction.compaction,
      "Air voids over the logarithm of the gyrations (right: share of the theoretical maximum "
-     "density), and how far they have fallen since the first gyration, as figure 4a of Olsson, "
+     "density), and how far they have fallen since the gyrations began, as figure 4a of Olsson, "
      "Jelagin and Partl."),
     ("head", "Ram and head", compaction.head,
      "What the machine imposes and what it feels. The internal angle is that of the loaded face "
@@ -35,16 +35,16 @@ FLOW = [("flow", "Flow test", compaction.flow,
                      if entry[0] in ("stones", "gradation", "energy", "filling", "budget")]
 OF_ONE = (walls.walls,)  # drawn of a run by itself only
 
-# The findings shown first, as far as a run has them: key, words, factor, unit.
-FIRST = [("air_voids_end", "air voids at the end", 100, "%"),
-         ("air_voids_start", "before the gyrations", 100, "%"),
-         ("height_end_m", "height", 1e3, "mm"),
-         ("internal_angle_deg", "internal angle", 1, "deg"),
-         ("pressure_largest_Pa", "largest pressure", 1e-3, "kPa"),
-         ("uplift_end_m", "uplift at the end", 1e3, "mm"),
-         ("stones", "stones", 1, ""),
-         ("fractured_stones", "of them broken", 1, ""),
-         ("wall_seconds", "taken", 1, "s")]
+# The findings shown first, as far as a run has them: key, words, factor, form.
+FIRST = [("air_voids_end", "air voids at the end", 100, "{:.2f} %"),
+         ("air_voids_start", "before the gyrations", 100, "{:.2f} %"),
+         ("height_end_m", "height at the end", 1e3, "{:.2f} mm"),
+         ("internal_angle_deg", "internal angle", 1, "{:.4f} deg"),
+         ("pressure_largest_Pa", "largest pressure", 1e-3, "{:.0f} kPa"),
+         ("uplift_end_m", "uplift at the end", 1e3, "{:.2f} mm"),
+         ("stones", "stones", 1, "{:.0f}"),
+         ("fractured_stones", "of them broken", 1, "{:.0f}"),
+         ("wall_seconds", "taken", 1, "{:.0f} s")]
 
 PAGE = """<!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8"><title>{title}</title>
@@ -56,9 +56,9 @@ svg {{ width: 100%; height: auto }} td, th {{ text-align: left; padding: .15em 1
 th {{ font-weight: normal; color: #666 }} th:first-child, td:first-child {{ white-space: nowrap }}
 pre {{ background: #f5f5f5; padding: 1em; overflow-x: auto }} h2 {{ margin: 2.2em 0 .3em }}
 p {{ color: #555; max-width: 48em }} summary {{ cursor: pointer; margin: 1em 0; color: #2166ac }}
-.first {{ display: flex; flex-wrap: wrap; gap: .6em 2.2em; margin: 1em 0 }}
+.first {{ display: flex; flex-wrap: wrap; gap: .6em 1.8em; margin: 1em 0 }}
 .first b {{ display: block; font-size: 1.5em; font-weight: 600 }} .first span {{ color: #666 }}
-nav a {{ color: #2166ac; margin-right: 1.2em }}
+nav {{ margin: 1.2em 0 }} nav a {{ color: #2166ac; margin-right: 1.2em }}
 </style></head><body><h1>{title}</h1>
 {body}
 </body></html>
@@ -101,12 +101,17 @@ def folded(words, content):
     return f"<details><summary>{html.escape(words)}</summary>{content}</details>"
 
 
-def first_findings(run):
-    shown = [f"<div><b>{run.summary[key] * factor:.4g} {unit}</b><span>{words}</span></div>"
-             for key, words, factor, unit in FIRST if key in run.summary]
-    if not shown:
-        shown = ["<p>This run is not finished.</p>"]
-    return '<div class="first">' + "".join(shown) + "</div>"
+def first_findings(runs):
+    shown = [(words, [form.format(run.summary[key] * factor) if key in run.summary else ""
+                      for run in runs])
+             for key, words, factor, form in FIRST if any(key in run.summary for run in runs)]
+    unfinished = "".join(f"<p>{html.escape(run.name)} is not finished.</p>" for run in runs
+                         if not run.summary)
+    if len(runs) > 1:
+        return unfinished + table([[words, *values] for words, values in shown],
+                                  ["", *(run.name for run in runs)])
+    blocks = [f"<div><b>{values[0]}</b><span>{words}</span></div>" for words, values in shown]
+    return unfinished + '<div class="first">' + "".join(blocks) + "</div>"
 
 
 def summaries(runs):
@@ -123,10 +128,7 @@ def origin(run):
 
 def report(runs, pictures, drawn):
     """The page; `drawn`: name, heading and words of what lies in the folder of pictures."""
-    body = []
-    for run in runs:
-        heading = f"<h3>{html.escape(run.name)}</h3>" if len(runs) > 1 else ""
-        body.append(heading + first_findings(run))
+    body = [first_findings(runs)]
     body.append("<nav>" + " ".join(f'<a href="#{name}">{html.escape(heading)}</a>'
                                    for name, heading, _ in drawn) + "</nav>")
     for name, heading, words in drawn:
@@ -135,5 +137,5 @@ def report(runs, pictures, drawn):
     body.append('<h2>Everything else</h2>' + folded("All findings", summaries(runs)))
     for run in runs:
         body.append(folded(f"Where {run.name} comes from: program and scene", origin(run)))
-    title = html.escape(", ".join(run.name for run in runs))
+    title = html.escape(runs[0].name if len(runs) == 1 else f"{len(runs)} runs compared")
     return PAGE.format(title=title, body="\n".join(body))

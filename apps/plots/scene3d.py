@@ -1,6 +1,7 @@
 """Stones, steel and forces as things that VTK can draw, and the stage they are drawn on.
 
-VTK of Debian 12 draws through X; where there is no screen, through a virtual one (on_some_screen)."""
+VTK of Debian 12 draws through X; where there is no screen, through a virtual one
+(on_some_screen)."""
 import os
 import shutil
 import sys

@@ -1,4 +1,4 @@
-"""The stones at the end of a run: sizes, neighbours, forces, fractures, and the air between them."""
+"""The stones at the end of a run: sizes, neighbours, forces, fractures, the air between them."""
 import numpy as np
 
 from .style import GREY, INK, OF_CURVES, colour_of, figure, name_runs, whole_numbers
@@ -35,7 +35,7 @@ def draw_fractures_by_size(axes, runs):
     axes.set_xticks(range(len(classes) - 1),
                     [f"{a:g}–{b:g}" for a, b in zip(classes, classes[1:])])
     axes.grid(axis="x", visible=False)
-    axes.set_title("Fractures by size of the stone")
+    axes.set_title("Fractures by size")
     axes.set_xlabel("between sieves [mm]")
     axes.set_ylabel("broken stones [-]")
     axes.set_ylim(0, 1.15 * max(1, axes.get_ylim()[1]))
@@ -55,10 +55,14 @@ def draw_fractures_over_time(axes, runs):
                       for c in range(len(classes) - 1) if np.any(sizes == c)]
         for k, (legend, chosen) in enumerate(groups):
             steps = np.sort(at[chosen])
-            axes.step([min(0, *at, 0), *steps, end], [*range(len(steps) + 1), len(steps)], where="post",
-                      label=legend,
+            axes.step([min(0, *at, 0), *steps, end], [*range(len(steps) + 1), len(steps)],
+                      where="post", label=legend,
                       color=colour_of(runs, run) if len(runs) > 1 else OF_CURVES[k % 4])
-    axes.set_title("Fractures" + (" by size" if len(runs) == 1 else ""))
+    if not any(len(run.table("fractures")["time"]) for run in runs):
+        axes.text(0.5, 0.5, "no stone broke", transform=axes.transAxes, ha="center", color=GREY)
+        axes.set_xlim(0, max(run.columns["time"][-1] for run in runs))
+    axes.set_ylim(0, max(1, axes.get_ylim()[1]))
+    axes.set_title("Fractures over time" + (", by size" if len(runs) == 1 else ""))
     axes.set_xlabel("time from the beginning of the history [s]")
     axes.set_ylabel("broken stones [-]")
     whole_numbers(axes.yaxis)
@@ -76,6 +80,8 @@ def draw_coordination(axes, runs):
         axes.axvline(touching.mean(), color=colour_of(runs, run), linestyle=":", linewidth=1)
     axes.set_title("Touching stones at the end (dotted: mean)")
     axes.set_xlabel("neighbours whose shells touch [-]")
+    axes.set_xlim(-0.5, most + 1)
+    axes.set_ylim(bottom=0)
     axes.set_ylabel("of the stones [%]")
     whole_numbers(axes.xaxis)
 
@@ -94,7 +100,8 @@ def draw_forces(axes, runs):
         seen = density > 0
         axes.semilogy(middle[seen], density[seen], "o", markersize=3, color=colour_of(runs, run),
                       label=f"{len(force)} contacts, mean {force.mean():.2g} N")
-    line = np.linspace(*axes.get_xlim(), 2)
+    axes.set_xlim(left=0)
+    line = np.array(axes.get_xlim())
     low = axes.get_ylim()[0]
     axes.semilogy(line, np.exp(-line), color=GREY, linestyle="--", linewidth=1, label="exp(−f)")
     axes.set_ylim(bottom=low)
@@ -114,7 +121,7 @@ def stones(runs):
     draw_fractures_by_size(axes[0, 1], runs)
     draw_coordination(axes[1, 0], runs)
     draw_forces(axes[1, 1], runs)
-    name_runs(axes[1, 0], runs)
+    name_runs(page, runs)
     return page
 
 
@@ -175,14 +182,14 @@ def voids(runs):
     by_radius.set_title("Air voids over radius")
     by_radius.set_xlabel("from the axis [mm]")
     by_radius.set_ylabel("air voids [%]")
-    name_runs(by_height, runs)
+    name_runs(page, runs)
     return page
 
 
 def gradation(runs):
     """Asked and got, by mass and by number, as figure 2 of Olsson, Jelagin, Partl."""
     page = figure(10, 3.6)
-    by_mass, by_number = page.subplots(1, 2)
+    by_mass, by_number = page.subplots(1, 2, width_ratios=[1.6, 1])
     for run in runs:
         colour = colour_of(runs, run)
         sieve, passing = run.sieves()
@@ -200,13 +207,16 @@ def gradation(runs):
     by_mass.set_ylabel("passing [% of the mass]")
     by_number.set_title("Modelled stones by number")
     by_number.set_ylabel("finer [% of the stones]")
-    for panel in (by_mass, by_number):
+    sieve = 1e3 * runs[0].sieves()[0]
+    finest = 1.9e3 * min(run.table("stones")["radius"].min() for run in runs)
+    for panel, shown in ((by_mass, sieve), (by_number, sieve[sieve > finest])):
         panel.set_xlabel("sieve [mm]")
-        panel.xaxis.set_major_formatter("{x:g}")
-    by_number.xaxis.set_minor_formatter("{x:g}")
+        panel.minorticks_off()
+        panel.set_xticks(shown, [f"{opening:g}" for opening in shown], fontsize=9)
+        panel.set_ylim(0, 105)
     if len(runs) == 1:
         by_mass.legend()
-    name_runs(by_number, runs, loc="lower right")
+    name_runs(page, runs)
     return page
 
 

@@ -39,11 +39,16 @@ def colour_of(runs, run):
     return BLUE if len(runs) == 1 else f"C{runs.index(run)}"
 
 
-def name_runs(axes, runs, **where):
-    """A legend of the runs, where there are several."""
-    if len(runs) > 1:
-        handles = [Line2D([], [], color=colour_of(runs, run), label=run.name) for run in runs]
-        axes.add_artist(axes.legend(handles=handles, **where))
+def name_runs(page, runs):
+    """A legend of the runs above the panels, where there are several."""
+    if len(runs) == 1:
+        return
+    handles = [Line2D([], [], color=colour_of(runs, run), label=run.name) for run in runs]
+    widest = 6 + max(len(run.name) for run in runs)
+    columns = min(len(runs), max(1, int(10 * page.get_figwidth()) // widest))
+    lines = -(-len(runs) // columns)
+    page.suptitle("\n" * lines, fontsize=10)  # its place is kept free of panels
+    page.legend(handles=handles, loc="upper left", ncols=columns)
 
 
 def curves(axes, runs, x, drawn, title, quantity, rows=None):
@@ -63,11 +68,11 @@ def curves(axes, runs, x, drawn, title, quantity, rows=None):
     axes.set_xlabel(runs[0].label(x[1], x[0]))
     axes.set_ylabel(runs[0].label(quantity, drawn[0][0]))
     if len(drawn) > 1:
-        handles = [Line2D([], [], color=colour if alone else INK, linestyle="-" if alone else dashes,
-                          label=legend)
+        handles = [Line2D([], [], color=colour if alone else INK,
+                          linestyle="-" if alone else dashes, label=legend)
                    for (_, legend), colour, dashes in zip(drawn, OF_CURVES, itertools.cycle(LINES))]
         axes.margins(y=0.3)  # room for the legend
-        axes.legend(handles=handles, loc="upper center", ncols=2)
+        axes.legend(handles=handles, loc="upper center", ncols=len(drawn))
 
 
 def whole_numbers(axis):
