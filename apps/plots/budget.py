@@ -21,7 +21,7 @@ def budget(runs):
         spent = [run.summary[key] if key else max(0, whole - done)
                  for run, whole, done in zip(runs, known, left)]
         if max(spent) > 1e-3 * max(known):
-            total = f", {spent[0]:.3g} s" if len(runs) == 1 else ""
+            total = f", {spent[0]:.{0 if spent[0] >= 10 else 2}f} s" if len(runs) == 1 else ""
             axes.barh([run.name for run in runs], spent, left=left, color=colour,
                       label=words + total, height=0.6)
         left = [a + b for a, b in zip(left, spent)]

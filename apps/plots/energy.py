@@ -16,6 +16,11 @@ KINDS = [("energy_kinetic", "kinetic", "#000000"),
          ("energy_fracture", "fracture", "#1b7837")]
 
 
+def work_done(run):
+    work = run.columns["energy_work_of_walls"] + run.columns["energy_work_of_gravity"]
+    return work - work[0]
+
+
 def draw_kinds(axes, run):
     """Since the history began; what gave energy back lies below zero."""
     time, above, below = run.shown("time"), 0.0, 0.0
@@ -27,8 +32,7 @@ def draw_kinds(axes, run):
         axes.fill_between(time, above, top, color=colour, linewidth=0, label=legend)
         axes.fill_between(time, below, bottom, color=colour, linewidth=0)
         above, below = top, bottom
-    work = run.columns["energy_work_of_walls"] + run.columns["energy_work_of_gravity"]
-    axes.plot(time, work - work[0], color=INK, label="work of walls and weight")
+    axes.plot(time, work_done(run), color=INK, label="work of walls and weight")
     axes.set_ylabel("energy [J]")
     axes.legend(loc="upper left", bbox_to_anchor=(1, 1))
 
@@ -44,10 +48,11 @@ def energy(runs):
         draw_kinds(panel, run)
         panel.set_title("Where the work goes" + (f": {run.name}" if len(runs) > 1 else ""))
     for run in runs:
-        axes[-1].plot(run.shown("time"), run.shown("energy_residual_share"),
+        whole = np.max(np.abs(work_done(run)))
+        axes[-1].plot(run.shown("time"), 100 * run.columns["energy_residual"] / whole,
                       color=colour_of(runs, run))
     axes[-1].set_title("Not accounted for")
     axes[-1].set_xlabel("time [s]")
-    axes[-1].set_ylabel("of the work [%]")
+    axes[-1].set_ylabel("of the whole work [%]")
     name_runs(page, runs)
     return page

@@ -99,13 +99,14 @@ def gauges(runs):
     page = figure(10, 3.2)
     axes = page.subplots()
     for run in runs:
-        names = [name for name in run.columns if name.endswith("_hoop_strain")]
-        for name in names:
-            label = name.split("_")[1] if len(runs) == 1 else f"{run.name}, {name.split('_')[1]}"
-            axes.plot(run.shown("gyration")[run.gyrating()],
-                      1e6 * run.columns[name][run.gyrating()], linewidth=0.8, label=label)
+        rows = run.gyrating()
+        for number, gauge in enumerate(run.scene()["output"]["gauge"], 1):
+            where = f"{TO_DEGREES * gauge['angle']:g} deg, {TO_MM * gauge['height']:g} mm"
+            strain = 1e6 * run.columns[f"gauge_{number}_hoop_strain"][rows]
+            axes.plot(run.shown("gyration")[rows], strain, linewidth=0.8,
+                      label=where if len(runs) == 1 else f"{run.name}: {where}")
     axes.set_title("Virtual strain gauges on the mould")
     axes.set_xlabel("gyrations [-]")
     axes.set_ylabel("hoop strain [1e-6]")
-    axes.legend(title="gauge", loc="upper left", bbox_to_anchor=(1, 1))
+    axes.legend(title="angle, height", loc="upper left", bbox_to_anchor=(1, 1))
     return page
