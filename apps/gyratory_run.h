@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <limits>
 #include <optional>
 
 #include "apps/bed.h"
@@ -39,11 +40,14 @@ class GyratoryRun {
   void visit_state(Archive& item);  // see dem/state.h
 
  private:
-  enum Part { floor, mould, head };  // the walls, in the order they are added
+  enum Part { floor, mould, head };          // the walls, in the order they are added
+  static constexpr int movie_pictures = 16;  // of the last gyration
 
   Law wall_law(Part part, bool bonds) const;
   double air_voids(double plate_height) const;
-  double gyration() const;  // gyrations done, negative during the ramp
+  double gyration() const;        // gyrations done, negative during the ramp
+  double last_turn_ends() const;  // [s]
+  double picture_after(double time) const;
   double height_of_plate() const;
   dem::Ram ram() const;
   void mount_head();
@@ -154,7 +158,7 @@ void GyratoryRun<Law>::close() {
   }
   settled_height_ = dem::mean_of_highest(bed_.stones(), highest_points);
   next_row_ = closed_at_ + scene_.output.history_interval;
-  next_picture_ = closed_at_ + scene_.output.picture_interval;
+  next_picture_ = picture_after(closed_at_);
   plate_start_ = height_of_plate();
   mount_head();
 }
@@ -215,6 +219,23 @@ void GyratoryRun<Law>::mount_head() {
 template <class Law>
 double GyratoryRun<Law>::gyration() const {
   return (bed_.time() - ram().turns_from()) * scene_.gyration.speed;
+}
+
+template <class Law>
+double GyratoryRun<Law>::last_turn_ends() const {
+  return ram().turns_from() + scene_.gyration.count / scene_.gyration.speed;
+}
+
+template <class Law>
+double GyratoryRun<Law>::picture_after(double time) const {
+  const double interval = scene_.output.picture_interval;
+  double next = interval > 0 ? time + interval : std::numeric_limits<double>::infinity();
+  if (scene_.movie) {
+    const double turn = 1 / scene_.gyration.speed;
+    const double last = std::max(ram().turns_from(), last_turn_ends() - turn);
+    next = std::min(next, std::max(time + turn / movie_pictures, last));
+  }
+  return next;
 }
 
 template <class Law>
@@ -280,8 +301,7 @@ void GyratoryRun<Law>::record(Recorder& recorder) {
 template <class Law>
 void GyratoryRun<Law>::compact(Recorder& recorder, GyratoryPictures& pictures, Progress& progress,
                                const Pulse& pulse) {
-  const double end = ram().turns_from() + scene_.gyration.count / scene_.gyration.speed;
-  const double length = end - closed_at_;
+  const double end = last_turn_ends(), length = end - closed_at_;
   budget_.enter(TimeBudget::stepping);
   const double began = wall_clock();
   const std::int64_t first_step = bed_.steps();
@@ -293,9 +313,9 @@ void GyratoryRun<Law>::compact(Recorder& recorder, GyratoryPictures& pictures, P
     next_row_ += scene_.output.history_interval;
     record(recorder);
     if (bed_.time() >= end) break;
-    if (scene_.output.picture_interval > 0 && bed_.time() >= next_picture_) {
+    if (bed_.time() >= next_picture_) {
       draw(recorder, pictures);
-      next_picture_ += scene_.output.picture_interval;
+      next_picture_ = picture_after(next_picture_);
     }
     const double height = dem::plate_face(bed_.walls()[head]).mean_height;
     const double rate =

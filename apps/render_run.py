@@ -5,8 +5,8 @@
     forces.png     the force chains: a rod for each contact, as thick as its force is large
     fractures.png  the broken stones among the others
     slices.png     as a computed tomograph would see it
-    gyration.gif   the last gyration, stones coloured by speed; needs a picture of the run every
-                   eighth of a gyration or more often (output.picture_interval)"""
+    gyration.gif   the last gyration, stones coloured by speed; needs 16 pictures of it, which
+                   output.movie = true leaves (of a flow test: output.picture_interval)"""
 
 import argparse
 import pathlib
@@ -22,7 +22,7 @@ from plots.run import Run
 from plots.style import STYLE
 
 SIZE, MOVIE_SIZE = (1000, 900), (520, 468)
-FEWEST_FRAMES = 8  # that make a movie of a gyration
+FEWEST_FRAMES = 16  # that make a movie of a gyration
 MOVIE_SECONDS = 3
 
 
@@ -50,7 +50,8 @@ class Scenery:
         return vtk.Stage(size, title, self.high[2], self.high[0] - self.low[0])
 
     def steel(self, opacity=1, picture=-1):
-        """Head and mould, or the strip, cut in half; what stands far above the stones is left off."""
+        """Head and mould, or the strip, cut in half; what stands far above the stones is left
+        off."""
         things = []
         for name in ("head", "mould") if self.run.gyratory else ("strip",):
             path = vtk.pictures(self.folder, name)[picture][1]
@@ -99,7 +100,8 @@ def fractures(scenery):
     broken[scenery.run.table("fractures")["stone"].astype(int)] = True
     stage = scenery.stage(f"{broken.sum()} of {len(broken)} stones broke" if broken.any()
                           else f"None of {len(broken)} stones broke")
-    for chosen, colour, opacity in ((~broken, (0.35, 0.4, 0.5), 0.15), (broken, (0.74, 0.1, 0.1), 1)):
+    for chosen, colour, opacity in ((~broken, (0.35, 0.4, 0.5), 0.15),
+                                    (broken, (0.74, 0.1, 0.1), 1)):
         if chosen.any():
             cloud = vtk.points(scenery.centres()[chosen], size=2 * scenery.radius[chosen])
             stage.add(vtk.spheres(cloud, "size", colour=colour, opacity=opacity))
@@ -138,6 +140,20 @@ def movie(scenery, out):
     return True
 
 
+def why_no_movie(scenery):
+    """And what to set, for the next run of this scene."""
+    scene = scenery.run.scene()
+    if scenery.run.gyratory:
+        of, advice = "the last gyration", "output.movie = true"
+        length = 1 / scene["gyration"]["speed"]
+    else:
+        of, advice = "the test", ""
+        length = scene["flow"]["displacement"] / scene["flow"]["speed"]
+    advice += " or " * bool(advice) + f'output.picture_interval = "{length / FEWEST_FRAMES:.3g} s"'
+    return (f"no movie: expected {FEWEST_FRAMES} pictures of {of}, found "
+            f"{len(movie_frames(scenery))}; run it again with {advice}")
+
+
 def main():
     options = argparse.ArgumentParser(description=__doc__,
                                       formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -160,9 +176,7 @@ def main():
     if movie(scenery, out / "gyration.gif"):
         print(out / "gyration.gif")
     else:
-        print(f"no movie: expected {FEWEST_FRAMES} pictures of the last gyration or more, found "
-              f"{len(movie_frames(scenery))}; set output.picture_interval to less",
-              file=sys.stderr)
+        print(why_no_movie(scenery), file=sys.stderr)
 
 
 if __name__ == "__main__":

@@ -155,6 +155,7 @@ struct GyratoryScene {
   OutputScene output;
   std::vector<GaugeScene> gauges;  // [[output.gauge]]
   bool maps = false;               // of the traction on the mould, averaged over each gyration
+  bool movie = false;              // pictures of the last gyration, whatever the interval
 
   std::string where(const std::string& key) const { return source.where(key); }
 };

@@ -65,6 +65,9 @@ std::vector<Section> describe(GyratoryScene& scene) {
   output.parameters.push_back(
       {&scene.maps, "maps", pure, unbounded,
        "true: the traction on the mould, unrolled and averaged over each gyration", ours});
+  output.parameters.push_back(
+      {&scene.movie, "movie", pure, unbounded,
+       "true: 16 pictures of the last gyration, for a movie (apps/render_run.py)", ours});
   std::vector<Section> sections = {
       describe(scene.run),           describe(scene.stones), describe(scene.stones.fracture),
       describe(scene.binder),        describe(scene.fill),   describe(scene.mould),

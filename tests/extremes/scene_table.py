@@ -33,7 +33,8 @@ is what `--check` says before the run.
 """
 BASE = {"stones.count": 150, "mould.diameter": "36 mm", "mould.elastic": "none",
         "head.elastic": "none", "gyration.ramp": "0.2 s", "gyration.count": 0.25,
-        "output.picture_interval": "0 s", "output.energy_ledger": "true"}
+        "output.picture_interval": "0 s", "output.movie": "false",
+        "output.energy_ledger": "true"}
 
 
 def sieves(place, rows):

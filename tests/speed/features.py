@@ -18,7 +18,8 @@ os.environ["OMP_WAIT_POLICY"] = "passive"
 DRY = {"binder": "none", "stones.fracture": "none"}
 FLOW = {"stones.count": 600, "flow.displacement": "0.5 mm", "output.picture_interval": "0 s"}
 RIGID = {"head.elastic": "none", "mould.elastic": "none"}
-TURN = {"gyration.count": 0.5, "gyration.ramp": "0.2 s", "output.picture_interval": "0 s"}
+TURN = {"gyration.count": 0.5, "gyration.ramp": "0.2 s", "output.picture_interval": "0 s",
+        "output.movie": "false"}
 CASES = [
     ("flow test, dry", "flow_test", {**FLOW, **DRY}),
     ("+ restitution", "flow_test", {**FLOW, **DRY, "stones.restitution": 0.5}),
