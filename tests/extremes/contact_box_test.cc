@@ -52,7 +52,7 @@ class Curve {
     const auto [least, most] = std::ranges::minmax(value_);
     if (most > least)
       for (double& v : value_) v = 2 * (v - least) / (most - least) - 1;
-    std::ranges::rotate(value_, std::ranges::min_element(value_));
+    std::rotate(value_.begin(), std::ranges::min_element(value_), value_.end());
   }
   double at(int n) const { return value_[n % steps]; }
   double step(int n) const { return at(n) - at(n - 1); }
