@@ -42,6 +42,7 @@ void apply_option(Document& document, const std::string& option, Mistakes& mista
 Document overlaid(Document base, const Document& document) {
   base.path = document.path;
   base.text = document.text;
+  base.in_part |= document.in_part;
   for (const auto& [name, place] : document.sections) base.sections[name] = place;
   for (const auto& [key, value] : document.values) {
     const std::string* word = std::get_if<std::string>(&value.content);
@@ -55,7 +56,35 @@ Document overlaid(Document base, const Document& document) {
   return base;
 }
 
-// `trail`: the files that include this one, outermost first.
+Document read_file(const std::string& path, const std::string& text, Mistakes& mistakes,
+                   std::vector<std::string> trail);
+
+// What `asked` includes; nothing if it cannot be read. `trail`: the files that include one
+// another down to here, outermost first.
+std::optional<Document> included(const Value& asked, Mistakes& mistakes,
+                                 const std::vector<std::string>& trail) {
+  const std::string* name = std::get_if<std::string>(&asked.content);
+  if (!name) {
+    mistakes.add(asked.place, "for include the path of a scene", asked.written,
+                 "write it like include = \"base.toml\"");
+    return std::nullopt;
+  }
+  const std::string path =
+      (std::filesystem::path(trail.back()).parent_path() / *name).lexically_normal().string();
+  if (std::ranges::find(trail, path) != trail.end()) {
+    mistakes.add(asked.place, "a file that does not include this one", asked.written,
+                 "remove one of the two includes");
+    return std::nullopt;
+  }
+  const std::optional<std::string> text = read_text(path);
+  if (!text) {
+    mistakes.add(asked.place, "a scene to include", "no file to read at " + path,
+                 "give the path from the folder of this file");
+    return std::nullopt;
+  }
+  return read_file(path, *text, mistakes, trail);
+}
+
 Document read_file(const std::string& path, const std::string& text, Mistakes& mistakes,
                    std::vector<std::string> trail) {
   Document document;
@@ -66,27 +95,11 @@ Document read_file(const std::string& path, const std::string& text, Mistakes& m
   if (!include) return document;
   const Value asked = *include;
   document.values.erase("include");
-  const std::string* base = std::get_if<std::string>(&asked.content);
-  if (!base) {
-    mistakes.add(asked.place, "for include the path of a scene", asked.written,
-                 "write it like include = \"base.toml\"");
-    return document;
-  }
-  const std::string base_path =
-      (std::filesystem::path(path).parent_path() / *base).lexically_normal().string();
   trail.push_back(std::filesystem::path(path).lexically_normal().string());
-  if (std::ranges::find(trail, base_path) != trail.end()) {
-    mistakes.add(asked.place, "a file that does not include this one", asked.written,
-                 "remove one of the two includes");
-    return document;
-  }
-  const std::optional<std::string> base_text = read_text(base_path);
-  if (!base_text) {
-    mistakes.add(asked.place, "a scene to include", "no file to read at " + base_path,
-                 "give the path from the folder of this file");
-    return document;
-  }
-  return overlaid(read_file(base_path, *base_text, mistakes, trail), document);
+  const std::optional<Document> base = included(asked, mistakes, trail);
+  if (base) return overlaid(*base, document);
+  document.in_part = true;
+  return document;
 }
 
 }  // namespace

@@ -41,6 +41,7 @@ struct Document {
   std::map<std::string, Place> sections;  // "stones.fracture" -> its header
   std::map<std::string, Value> values;    // "stones.count" -> value
   std::map<std::string, Place> removed;   // keys and sections that --set took away with `none`
+  bool in_part = false;  // not all of it could be read: what is missing may stand there
 
   const Value* find(const std::string& key) const;
   std::size_t repetitions(const std::string& section) const;  // of [[section]]

@@ -90,7 +90,10 @@ class ValueReader {
     const bool under = bounds.most_excluded ? *si < most : *si <= most;
     if (!above || !under || !std::isfinite(*si)) {
       const std::string range = bounds_text(parameter_);
-      refuse(value, range.empty() ? "a finite number" : "a value " + range);
+      const bool bare = !std::holds_alternative<std::string>(value.content);
+      const std::string found =
+          bare && unit.shown != std::string("1") ? value.written + ' ' + unit.si : value.written;
+      refuse(value, range.empty() ? "a finite number" : "a value " + range, found);
       return std::nullopt;
     }
     return si;
@@ -144,6 +147,12 @@ std::string parent(const std::string& key) {
 
 std::string last_part(const std::string& key) {
   return key.substr(key.rfind('.') + 1);
+}
+
+// As a scene writes it: [stones], and [[output.gauge]] for what stands in a list.
+std::string header(const std::string& section) {
+  return section.ends_with(']') ? "[[" + section.substr(0, section.rfind('[')) + "]]"
+                                : '[' + section + ']';
 }
 
 // The names a scene may use, to find those that it may not.
@@ -260,9 +269,9 @@ void read_sections(const std::vector<Section>& sections, const Document& documen
       const std::string key = section.name + '.' + parameter.name;
       if (const Value* value = document.find(key)) {
         ValueReader(parameter, key, units, mistakes).read(*value);
-      } else if (parameter.presence.need == Need::required) {
+      } else if (parameter.presence.need == Need::required && !document.in_part) {
         mistakes.add(document.place(key), "the key " + key, "none",
-                     "add below [" + section.name + "] " + parameter.name + " = " +
+                     "add below " + header(section.name) + ' ' + parameter.name + " = " +
                          parameter.presence.example);
       }
     }

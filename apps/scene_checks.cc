@@ -36,7 +36,7 @@ class CrossCheck {
       return;
     }
     for (const char* key : {"binder.shear_modulus", "binder.alpha", "binder.tau"}) {
-      if (!given(key))
+      if (!given(key) && !document_.in_part)
         mistakes_.add(place(key), "the key " + std::string(key), "none",
                       "add it, or in place of all three temperature = \"150 degC\"");
     }
@@ -53,7 +53,7 @@ class CrossCheck {
 
   void check(const MouldScene& mould, const StonesScene& stones) const {
     exclude("mould.diameter", "mould.aspect_ratio");
-    if (!given("mould.diameter") && !given("mould.aspect_ratio"))
+    if (!given("mould.diameter") && !given("mould.aspect_ratio") && !document_.in_part)
       mistakes_.add(place("mould"), "mould.diameter or mould.aspect_ratio", "neither",
                     "add diameter = \"150 mm\", or aspect_ratio = 1 to scale it to the stones");
     if (mould.diameter) larger_than_stones("mould.diameter", *mould.diameter, stones);
@@ -74,6 +74,7 @@ class CrossCheck {
 
   void check(const GaugeScene& gauge, const std::string& section, const MouldScene& mould) const {
     if (!mould.elastic) {
+      if (document_.in_part) return;
       mistakes_.add(place(section), "[mould.elastic], which a gauge is glued to", "a rigid mould",
                     "add that section, or remove the gauge");
       return;

@@ -116,6 +116,8 @@ class Line {
     equals_ = content().find('=');
   }
 
+  bool is_header() const { return written().starts_with('['); }
+  std::string written() const { return trimmed(content().substr(0, content().find('#'))); }
   bool has_pair() const { return equals_ != std::string::npos && !key().empty(); }
   std::string key() const { return trimmed(content().substr(0, equals_)); }
   std::string value() const {
@@ -128,7 +130,8 @@ class Line {
     return static_cast<int>(first == std::string_view::npos ? equals_ : first) + 1;
   }
 
-  void clear() { text_.replace(begin_, length_, ""); }
+  void clear() { set(""); }
+  void set(const std::string& words) { text_.replace(begin_, length_, words); }
   void set_value(const std::string& value) {
     text_.replace(begin_ + equals_ + 1, length_ - equals_ - 1, value);
   }
@@ -139,6 +142,9 @@ class Line {
   std::string& text_;
   std::size_t begin_ = 0, length_ = 0, equals_ = std::string::npos;
 };
+
+// Begins the name of the section that takes in what stands below a header that cannot be read.
+constexpr std::string_view unread = "below_an_unreadable_header_in_line_";
 
 // Parses the text, mending each line that does not parse, so that one slip hides no other.
 class Parser {
@@ -162,6 +168,9 @@ class Parser {
         throw InputError(mistakes_.lines());
       }
     }
+    const auto is_unread = [](const auto& item) { return item.first.starts_with(unread); };
+    std::erase_if(document_.sections, is_unread);
+    std::erase_if(document_.values, is_unread);
     for (auto& [name, value] : document_.values) {
       if (broken_.contains(value.key.line)) value.content = Broken{};
     }
@@ -200,14 +209,21 @@ class Parser {
     const bool repeated = description.find("cannot redefine") != std::string::npos;
     Line line(text, place.line);
     const bool fresh = mended_.insert(place.line).second;
-    if (!line.has_pair() || !fresh) {
+    if (!line.has_pair() && line.is_header() && fresh) {
       if (repeated) {
-        mistakes_.add(place, "each section once", "it again",
+        mistakes_.add(place, "each section once", line.written() + " again",
                       "move its keys under the first header");
       } else {
-        mistakes_.add(place, "TOML", "a syntax error (" + description + ")",
-                      "mend this line; what follows it was not read");
+        mistakes_.add(place, "a section in brackets", '`' + line.written() + '`',
+                      "write it like [stones]; the keys below it were not read");
       }
+      line.set('[' + std::string(unread) + std::to_string(place.line) + ']');
+      document_.in_part = true;
+      return true;
+    }
+    if (!line.has_pair() || !fresh) {
+      mistakes_.add(place, "TOML", "a syntax error (" + description + ")",
+                    "mend this line; what follows it was not read");
       return false;
     }
     if (repeated) {

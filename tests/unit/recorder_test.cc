@@ -1,86 +1,20 @@
 #include "apps/recorder.h"
 
-#include <gtest/gtest.h>
-#include <hdf5.h>
 #include <signal.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
-#include <cmath>
 #include <ctime>
-#include <filesystem>
-#include <fstream>
 #include <limits>
 
 #include "apps/errors.h"
+#include "tests/unit/recorder_fixture.h"
 
 namespace {
 
-using apps::Column;
 using apps::Provenance;
 using apps::Recorder;
-
-class RecorderTest : public testing::Test {
- protected:
-  void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::path(testing::TempDir()) /
-              ("recorder_test_" + std::to_string(::getpid())) / test->name();
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-
-  void TearDown() override { std::filesystem::remove_all(folder_.parent_path()); }
-
-  std::string file(const std::string& name = "results.h5") const { return folder_ / name; }
-
- private:
-  std::filesystem::path folder_;
-};
-
-const std::vector<Column> columns = {{"time", "s"}, {"air_voids", "1"}, {"force", "N"}};
-
-Provenance provenance() {
-  Provenance from;
-  from.program = "gyratory";
-  from.command_line = "gyratory scene.toml --set run.seed=7";
-  from.scene_text = "[run]\nseed = 3  # Körnung äöü\n";
-  from.seed = 7;
-  from.threads = 2;
-  return from;
-}
-
-void append_rows(Recorder& recorder, int first, int last) {
-  for (int i = first; i < last; ++i)
-    recorder.append(std::vector<double>{0.01 * i, 0.3 - 1e-5 * i, std::sqrt(2.0 * i)});
-}
-
-// What a reader that knows nothing of the recorder finds in a file.
-std::vector<double> read(const std::string& path, const char* dataset) {
-  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-  const hid_t data = H5Dopen2(file, dataset, H5P_DEFAULT);
-  const hid_t space = H5Dget_space(data);
-  std::vector<double> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
-  EXPECT_GE(H5Dread(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0);
-  H5Sclose(space);
-  H5Dclose(data);
-  H5Fclose(file);
-  return values;
-}
-
-std::string read_text(const std::string& path, const char* object, const char* attribute) {
-  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-  const hid_t found = H5Aopen_by_name(file, object, attribute, H5P_DEFAULT, H5P_DEFAULT);
-  const hid_t type = H5Aget_type(found);
-  char* text = nullptr;
-  EXPECT_GE(H5Aread(found, type, &text), 0);
-  const std::string copy = text;
-  H5free_memory(text);
-  H5Tclose(type);
-  H5Aclose(found);
-  H5Fclose(file);
-  return copy;
-}
+using tests::append_rows, tests::columns, tests::provenance, tests::read, tests::read_text;
+using tests::RecorderTest;
 
 std::time_t time_stamp(const std::string& path, const char* dataset) {
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
@@ -235,72 +169,6 @@ TEST_F(RecorderTest, a_run_that_cannot_begin_for_a_full_disk_leaves_no_file) {
   const FullDisk full(0);
   EXPECT_THROW(Recorder(file(), provenance(), columns), apps::OutputError);
   EXPECT_FALSE(std::filesystem::exists(file()));
-}
-
-TEST_F(RecorderTest, a_continued_run_ends_with_the_rows_of_an_unbroken_one) {
-  // Whether the file held rows beyond the checkpoint or not.
-  for (const int reached : {600, 700, 1400}) {
-    const std::string broken = file(std::to_string(reached) + ".h5");
-    {
-      Recorder recorder(broken, provenance(), columns);
-      append_rows(recorder, 0, reached);
-    }
-    {
-      Recorder continued(broken, columns, 600);
-      EXPECT_EQ(continued.rows(), 600u);
-      append_rows(continued, 600, 1500);
-      continued.flush();
-      EXPECT_EQ(continued.replaced(), 0u);
-    }
-    const std::string unbroken = file("unbroken" + std::to_string(reached) + ".h5");
-    {
-      Recorder recorder(unbroken, provenance(), columns);
-      append_rows(recorder, 0, 1500);
-    }
-    for (const char* dataset : {"/history/time", "/history/air_voids", "/history/force"})
-      EXPECT_EQ(read(broken, dataset), read(unbroken, dataset)) << dataset;
-    EXPECT_EQ(read_text(broken, "/provenance", "scene"), provenance().scene_text);
-  }
-}
-
-TEST_F(RecorderTest, a_history_never_loses_rows_while_a_run_catches_up) {
-  // A reader sees the rows of the interrupted run until they are found again.
-  {
-    Recorder broken(file(), provenance(), columns);
-    append_rows(broken, 0, 1500);
-  }
-  Recorder continued(file(), columns, 600);
-  append_rows(continued, 600, 1100);
-  continued.flush();
-  EXPECT_EQ(read(file(), "/history/time").size(), 1500u);
-}
-
-TEST_F(RecorderTest, a_row_that_is_found_otherwise_is_replaced_and_counted) {
-  {
-    Recorder broken(file(), provenance(), columns);
-    append_rows(broken, 0, 20);
-  }
-  Recorder continued(file(), columns, 10);
-  append_rows(continued, 10, 12);
-  continued.append(std::vector<double>{0.12, 0.5, 3});
-  append_rows(continued, 13, 20);
-  continued.flush();
-  EXPECT_EQ(continued.replaced(), 1u);
-  EXPECT_EQ(read(file(), "/history/air_voids")[12], 0.5);
-}
-
-TEST_F(RecorderTest, a_run_that_does_not_fit_its_earlier_file_is_not_continued) {
-  // Too few rows, another unit, a column unknown to the file, no HDF5 at all.
-  {
-    Recorder recorder(file(), provenance(), columns);
-    append_rows(recorder, 0, 5);
-  }
-  std::ofstream(file("text.h5")) << "no results\n";
-  EXPECT_THROW(Recorder(file(), columns, 6), apps::OutputError);
-  EXPECT_THROW(Recorder(file(), {{"time", "min"}}, 5), apps::OutputError);
-  EXPECT_THROW(Recorder(file(), {{"height", "m"}}, 5), apps::OutputError);
-  EXPECT_THROW(Recorder(file("text.h5"), columns, 5), apps::OutputError);
-  EXPECT_EQ(read(file(), "/history/time").size(), 5u);
 }
 
 TEST_F(RecorderTest, a_result_written_twice_is_the_second_one) {

@@ -53,7 +53,7 @@ TEST_F(SceneGauges, need_an_elastic_mould_and_a_place_on_it) {
                           "\"120 mm\"; lower it"));
   EXPECT_THAT(mistakes(std::string(least) + steel + "[[output.gauge]]\nheight = \"20 mm\"\n"),
               ElementsAre(at("12:1") + "the key output.gauge[0].angle, found none; add below "
-                                       "[output.gauge[0]] angle = \"0 deg\""));
+                                       "[[output.gauge]] angle = \"0 deg\""));
 }
 
 using SceneModes = tests::SceneTest;

@@ -63,6 +63,9 @@ TEST_F(SceneInclude, reports_mistakes_in_the_file_that_they_are_in) {
 TEST_F(SceneInclude, refuses_what_cannot_be_included) {
   EXPECT_THAT(mistakes(std::string("include = \"missing.toml\"\n") + tests::least),
               ElementsAre(AllOf(StartsWith(at("1:11")), HasSubstr("missing.toml"))));
+  // Whatever is not said here may stand in the file that could not be read.
+  EXPECT_THAT(mistakes("include = \"missing.toml\"\n[run]\nseed = -1\n"),
+              ElementsAre(StartsWith(at("1:11")), StartsWith(at("3:8"))));
   EXPECT_THAT(mistakes(std::string("include = 3\n") + tests::least),
               ElementsAre(StartsWith(at("1:11"))));
   files_.write("base.toml", "include = \"scene.toml\"\n");

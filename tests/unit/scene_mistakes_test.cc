@@ -204,6 +204,24 @@ TEST_F(SceneMistakes, reports_text_that_is_not_toml) {
   EXPECT_THAT(mistakes("\xff\xfe"), ElementsAre(HasSubstr("scene.toml:1:")));
 }
 
+TEST_F(SceneMistakes, hides_no_other_mistake_behind_a_header) {
+  // TOML 1.0.0: each table is defined once. What stands below such a header is not judged, and
+  // what is missing may be there.
+  EXPECT_THAT(
+      mistakes(std::string(least) + "[mould]  # again\nheight = 3\n[gyration]\nramp = -1\n"),
+      ElementsAre(AllOf(StartsWith(at("10:1")), HasSubstr("[mould] again")),
+                  StartsWith(at("13:8"))));
+  EXPECT_THAT(mistakes("[stones\ncount = 1\n[mould]\ndiameter = -1\n[gyration\n"),
+              ElementsAre(AllOf(StartsWith(at("1:8")), HasSubstr("`[stones`")),
+                          StartsWith(at("4:12")), StartsWith(at("5:10"))));
+}
+
+TEST_F(SceneMistakes, say_in_which_unit_a_bare_number_was_read) {
+  // README: SI inside. One radian is no tilt of a head.
+  EXPECT_THAT(mistakes(least, {"gyration.angle=1"}), ElementsAre(HasSubstr("found 1 rad;")));
+  EXPECT_THAT(mistakes(least, {"gyration.count=-1"}), ElementsAre(HasSubstr("found -1;")));
+}
+
 TEST_F(SceneMistakes, are_told_once_however_many_checks_they_fail) {
   // A value that was refused is not compared with others, nor is its key missing.
   const std::string end = "[mould]\ndiameter = \"50 mm\"\n";
