@@ -192,6 +192,7 @@ class Stage:
         bar.SetNumberOfLabels(5)
         bar.SetLabelFormat("%.3g")
         bar.SetUnconstrainedFontSize(True)
+        bar.SetVerticalTitleSeparation(8)
         for style in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty()):
             style.SetColor(*INK)
             style.SetFontSize(max(11, int(18 * self.size[1] / 900)))
