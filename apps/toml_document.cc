@@ -1,12 +1,14 @@
 #include "apps/toml_document.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <map>
 #include <set>
 #include <string_view>
 
 #include "apps/foreign_letter.h"
-#include "apps/text.h"
+#include "apps/toml_line.h"
 
 namespace apps {
 namespace {
@@ -103,48 +105,8 @@ class Flattener {
   bool is_option_;
 };
 
-// One line of the text, to be mended in place so that the parser can go on to the next mistake.
-class Line {
- public:
-  Line(std::string& text, int number) : text_(text) {
-    for (int line = 1; line < number && begin_ != std::string::npos; ++line) {
-      begin_ = text.find('\n', begin_);
-      if (begin_ != std::string::npos) ++begin_;
-    }
-    if (begin_ == std::string::npos) begin_ = text.size();
-    length_ = std::min(text.find('\n', begin_), text.size()) - begin_;
-    equals_ = content().find('=');
-  }
-
-  bool is_header() const { return written().starts_with('['); }
-  std::string written() const { return trimmed(content().substr(0, content().find('#'))); }
-  bool has_pair() const { return equals_ != std::string::npos && !key().empty(); }
-  std::string key() const { return trimmed(content().substr(0, equals_)); }
-  std::string value() const {
-    const std::string_view rest = content().substr(equals_ + 1);
-    return trimmed(rest.substr(0, rest.find('#')));
-  }
-  int key_column() const { return static_cast<int>(content().find_first_not_of(" \t")) + 1; }
-  int value_column() const {
-    const auto first = content().find_first_not_of(" \t", equals_ + 1);
-    return static_cast<int>(first == std::string_view::npos ? equals_ : first) + 1;
-  }
-
-  void clear() { set(""); }
-  void set(const std::string& words) { text_.replace(begin_, length_, words); }
-  void set_value(const std::string& value) {
-    text_.replace(begin_ + equals_ + 1, length_ - equals_ - 1, value);
-  }
-
- private:
-  std::string_view content() const { return std::string_view(text_).substr(begin_, length_); }
-
-  std::string& text_;
-  std::size_t begin_ = 0, length_ = 0, equals_ = std::string::npos;
-};
-
-// Begins the name of the section that takes in what stands below a header that cannot be read.
-constexpr std::string_view unread = "below_an_unreadable_header_in_line_";
+// Begins the name of the section that takes in what stands below a header that cannot be taken.
+constexpr std::string_view aside = "below_the_header_in_line_";
 
 // Parses the text, mending each line that does not parse, so that one slip hides no other.
 class Parser {
@@ -168,9 +130,7 @@ class Parser {
         throw InputError(mistakes_.lines());
       }
     }
-    const auto is_unread = [](const auto& item) { return item.first.starts_with(unread); };
-    std::erase_if(document_.sections, is_unread);
-    std::erase_if(document_.values, is_unread);
+    take_in_repeated();
     for (auto& [name, value] : document_.values) {
       if (broken_.contains(value.key.line)) value.content = Broken{};
     }
@@ -197,7 +157,7 @@ class Parser {
       mistakes_.add({document_.path, found->line, found->column},
                     "ASCII outside quotes and comments", '`' + found->letter + '`',
                     "put words in quotes, or remove the letter; this line was not read");
-      Line(text, found->line).clear();
+      TomlLine(text, found->line).clear();
     }
   }
 
@@ -207,18 +167,10 @@ class Parser {
                 static_cast<int>(error.source().begin.column)};
     const std::string description(error.description());
     const bool repeated = description.find("cannot redefine") != std::string::npos;
-    Line line(text, place.line);
+    TomlLine line(text, place.line);
     const bool fresh = mended_.insert(place.line).second;
-    if (!line.has_pair() && line.is_header() && fresh) {
-      if (repeated) {
-        mistakes_.add(place, "each section once", line.written() + " again",
-                      "move its keys under the first header");
-      } else {
-        mistakes_.add(place, "a section in brackets", '`' + line.written() + '`',
-                      "write it like [stones]; the keys below it were not read");
-      }
-      line.set('[' + std::string(unread) + std::to_string(place.line) + ']');
-      document_.in_part = true;
+    if (line.is_header() && fresh) {
+      set_aside(line, place, repeated);
       return true;
     }
     if (!line.has_pair() || !fresh) {
@@ -243,8 +195,38 @@ class Parser {
     return true;
   }
 
+  void set_aside(TomlLine& line, const Place& place, bool repeated) {
+    const std::string header = line.written();
+    const std::string name = std::string(aside) + std::to_string(place.line);
+    if (repeated) {
+      mistakes_.add(place, "each section once", header + " again",
+                    "move its keys under the first header");
+      repeated_[name] = header.substr(1, header.size() - 2);
+    } else {
+      mistakes_.add(place, "a section in brackets", '`' + header + '`',
+                    "write it like [stones]; the keys below it were not read");
+      document_.in_part = true;
+    }
+    line.set('[' + name + ']');
+  }
+
+  // Keys below a repeated header are judged as if they stood below the first one.
+  void take_in_repeated() {
+    std::map<std::string, Value> taken_in;
+    for (const auto& [key, value] : document_.values) {
+      const auto dot = std::min(key.find('.'), key.size());
+      const auto section = repeated_.find(key.substr(0, dot));
+      if (section != repeated_.end()) taken_in[section->second + key.substr(dot)] = value;
+    }
+    const auto is_aside = [](const auto& item) { return item.first.starts_with(aside); };
+    std::erase_if(document_.sections, is_aside);
+    std::erase_if(document_.values, is_aside);
+    document_.values.merge(taken_in);
+  }
+
   Document& document_;
   Mistakes& mistakes_;
+  std::map<std::string, std::string> repeated_;  // set aside, and below which header it stood
   std::set<int> mended_;
   std::set<int> broken_;  // lines whose value was put in for one that did not parse
 };
