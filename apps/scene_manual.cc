@@ -56,8 +56,10 @@ std::string manual() {
   const UnitSystem units;
   Scene scene;
   std::string text;
-  for (const Section& section : describe(scene))
-    text += (text.empty() ? "" : "\n") + explained(section, '[' + section.name + ']', units);
+  for (const Section& section : describe(scene)) {
+    if (!text.empty()) text += '\n';
+    text += explained(section, '[' + section.name + ']', units);
+  }
   if constexpr (std::is_same_v<Scene, GyratoryScene>) {
     GaugeScene gauge;
     text += repeatable(describe(gauge, 0), "output.gauge", units);
