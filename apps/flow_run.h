@@ -9,14 +9,12 @@
 #include <iterator>
 #include <limits>
 
-#include "apps/bed.h"
-#include "apps/bed_results.h"
 #include "apps/findings.h"
 #include "apps/pictures.h"
 #include "apps/progress.h"
+#include "apps/run_watch.h"
 #include "apps/session.h"
 #include "apps/stone_picture.h"
-#include "apps/time_budget.h"
 
 namespace apps {
 
@@ -57,19 +55,15 @@ class FlowRun {
   const LawBook& book_;
   Law wall_law_;
   dem::Simulation<Law> bed_;
-  std::optional<dem::EnergyLedger<Law>> ledger_;
-  double settling_residual_ = 0;  // of the ledger, as a share of the work [-]
   std::string folder_;
   std::size_t strip_ = 0;  // its place among the walls
-  Settling settling_;
+  RunWatch<Law> watch_;
   bool lowered_ = false;                        // has the strip begun
   double started_at_ = 0;                       // [s]
   double bed_height_ = 0;                       // mean of the highest points of the settled bed [m]
   double pressure_ = 0, largest_pressure_ = 0;  // under the strip [Pa]
   double uplift_ = 0, lowest_uplift_ = 0;       // [m]
   Means means_;
-  TimeBudget budget_;
-  FillingHistory filling_;
   double next_row_ = 0, next_picture_ = 0;  // [s]
   int pictures_ = 0;
   double last_picture_ = -std::numeric_limits<double>::infinity();  // its time [s]
@@ -106,21 +100,16 @@ FlowRun<Law>::FlowRun(const FlowTestScene& scene, const Mix& mix, const LawBook&
   add("right", {scene.flow.length, 0, 0}, -x, y);
   add("front", {0, 0, 0}, y, z);
   add("back", {0, scene.flow.width, 0}, -y, z);
-  settling_ = begin_settling(bed_, scene.fill);
-  if (scene.output.energy_ledger) ledger_.emplace();
+  watch_.begin(bed_, scene.fill, scene.output.energy_ledger);
 }
 
 template <class Law>
 void FlowRun<Law>::visit_state(Archive& item) {
-  budget_.visit_state(item);
-  filling_.visit_state(item);
-  item("settling", settling_);
+  watch_.visit_state(item);
   item("lowered", lowered_);
   item("started_at", started_at_);
   if (lowered_ && item.restores()) mount_strip();
   bed_.visit_state(item);
-  if (ledger_) ledger_->visit_state(item, "ledger.");
-  item("settling_residual", settling_residual_);
   item("bed_height", bed_height_);
   item("largest_pressure", largest_pressure_);
   item("lowest_uplift", lowest_uplift_);
@@ -136,16 +125,7 @@ void FlowRun<Law>::visit_state(Archive& item) {
 
 template <class Law>
 void FlowRun<Law>::fill(Recorder& recorder, Progress& progress, const Pulse& pulse) {
-  budget_.enter(TimeBudget::settling);
-  const auto report = [&](double rest) {
-    filling_.record(recorder, bed_.time(), bed_.stones(), 0);
-    progress.report(rest, fmt::format("settling: time {:.2f} s, rest {:.1e}", bed_.time(), rest));
-  };
-  settle(bed_, settling_, report, [&] {
-    if (ledger_) ledger_->look(bed_);
-    pulse();
-  });
-  budget_.enter(TimeBudget::other);
+  watch_.settle(bed_, recorder, progress, pulse);
 }
 
 template <class Law>
@@ -153,10 +133,7 @@ void FlowRun<Law>::lower_strip() {
   if (lowered_) return;
   lowered_ = true;
   started_at_ = bed_.time();
-  if (ledger_) {
-    settling_residual_ = ledger_->energies().residual_share();
-    ledger_->restart();
-  }
+  watch_.end_settling();
   bed_height_ = dem::mean_of_highest(bed_.stones(), highest_points);
   next_row_ = started_at_ + scene_.output.history_interval;
   next_picture_ = started_at_ + scene_.output.picture_interval;
@@ -201,12 +178,12 @@ void FlowRun<Law>::step() {
   const double began = timed ? wall_clock() : 0;
   bed_.step();
   const double stepped = timed ? wall_clock() : 0;
-  if (ledger_) ledger_->look(bed_);
+  watch_.look(bed_);
   means_.span += bed_.time_step();
   means_.impulse += bed_.walls()[strip_].force.z * bed_.time_step();
   if (!timed) return;
-  budget_.sample(TimeBudget::stones, stepped - began);
-  budget_.sample(TimeBudget::outputs, wall_clock() - stepped);
+  watch_.budget.sample(TimeBudget::stones, stepped - began);
+  watch_.budget.sample(TimeBudget::outputs, wall_clock() - stepped);
 }
 
 template <class Law>
@@ -228,7 +205,7 @@ void FlowRun<Law>::record(Recorder& recorder) {
                              coordination,
                              dem::kinetic_energy(bed_.stones()),
                              bed_.time_step()};
-  if (ledger_) add_energies(row, ledger_->energies());
+  watch_.add_to(row);
   recorder.append(row);
   means_ = {};
 }
@@ -236,7 +213,7 @@ void FlowRun<Law>::record(Recorder& recorder) {
 template <class Law>
 void FlowRun<Law>::press(Recorder& recorder, Progress& progress, const Pulse& pulse) {
   lower_strip();
-  budget_.enter(TimeBudget::stepping);
+  watch_.budget.enter(TimeBudget::stepping);
   const double length = scene_.flow.displacement / scene_.flow.speed;
   const double end = started_at_ + length;
   for (;;) {
@@ -259,14 +236,14 @@ void FlowRun<Law>::press(Recorder& recorder, Progress& progress, const Pulse& pu
                     1e3 * uplift_, bed_.time_step()));
   }
   draw(recorder);
-  budget_.enter(TimeBudget::other);
+  watch_.budget.enter(TimeBudget::other);
   recorder.flush();
   progress.finish();
 }
 
 template <class Law>
 void FlowRun<Law>::draw(Recorder& recorder) {
-  const TimeBudget::Phase before = budget_.enter(TimeBudget::pictures);
+  const TimeBudget::Phase before = watch_.budget.enter(TimeBudget::pictures);
   const double time = bed_.time() - started_at_;
   const dem::Vec3d& o = bed_.walls()[strip_].frame.origin;
   const dem::Vec3d& h = std::get<dem::Block>(bed_.walls()[strip_].surface).half;
@@ -281,7 +258,7 @@ void FlowRun<Law>::draw(Recorder& recorder) {
   write_bed(recorder, bed_, started_at_);
   recorder.write("/strip/low", std::array{o.x - h.x, o.y - h.y, o.z - h.z}, "m");
   recorder.write("/strip/high", std::array{o.x + h.x, o.y + h.y, o.z + h.z}, "m");
-  budget_.enter(before);
+  watch_.budget.enter(before);
 }
 
 template <class Law>
@@ -294,11 +271,7 @@ std::vector<Finding> FlowRun<Law>::findings(double wall_seconds) const {
                                     {"uplift_lowest_m", lowest_uplift_},
                                     {"uplift_end_m", uplift_}};
   found.insert(found.end(), own.begin(), own.end());
-  std::ranges::copy(budget_.findings(), std::back_inserter(found));
-  if (ledger_) {
-    found.push_back({"settling_energy_residual_share", settling_residual_});
-    add_energies(found, ledger_->energies());
-  }
+  watch_.add_to(found);
   return found;
 }
 

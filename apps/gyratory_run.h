@@ -9,16 +9,14 @@
 #include <limits>
 #include <optional>
 
-#include "apps/bed.h"
-#include "apps/bed_results.h"
 #include "apps/gyratory_findings.h"
 #include "apps/gyratory_history.h"
 #include "apps/gyratory_pictures.h"
 #include "apps/machine.h"
 #include "apps/progress.h"
+#include "apps/run_watch.h"
 #include "apps/session.h"
 #include "apps/steel.h"
-#include "apps/time_budget.h"
 #include "apps/wall_outputs.h"
 
 namespace apps {
@@ -61,11 +59,9 @@ class GyratoryRun {
   const LawBook& book_;
   const Machine& machine_;
   dem::Simulation<Law> bed_;
-  std::optional<dem::EnergyLedger<Law>> ledger_;
-  double settling_residual_ = 0;  // of the ledger, as a share of the work [-]
   std::optional<SteelPart> elastic_mould_, elastic_head_;
   double head_mass_ = 0;  // [kg]
-  Settling settling_;
+  RunWatch<Law> watch_;
   bool closed_ = false;
   double closed_at_ = 0;       // when the plate came down [s]
   double plate_start_ = 0;     // middle of the plate then [m]
@@ -74,8 +70,6 @@ class GyratoryRun {
   GyratoryHistory history_;
   double next_row_ = 0, next_picture_ = 0;  // [s]
   WallOutputs wall_outputs_;
-  TimeBudget budget_;
-  FillingHistory filling_;
 };
 
 template <class Law>
@@ -95,23 +89,18 @@ GyratoryRun<Law>::GyratoryRun(const GyratoryScene& scene, const Mix& mix, const 
   ring.surface = dem::CylinderInside{machine.mould_radius};
   bed_.add_wall(base, wall_law(floor, scene.fill.bonds));
   bed_.add_wall(ring, wall_law(mould, scene.fill.bonds));
-  settling_ = begin_settling(bed_, scene.fill);
-  if (scene.output.energy_ledger) ledger_.emplace();
+  watch_.begin(bed_, scene.fill, scene.output.energy_ledger);
 }
 
 template <class Law>
 void GyratoryRun<Law>::visit_state(Archive& item) {
-  budget_.visit_state(item);
-  filling_.visit_state(item);
-  item("settling", settling_);
+  watch_.visit_state(item);
   item("closed", closed_);
   item("closed_at", closed_at_);
   item("plate_start", plate_start_);
   if (closed_ && item.restores()) mount_head();
   bed_.visit_state(item);
   if (closed_) wall_outputs_.visit_state(item, "outputs.");
-  if (ledger_) ledger_->visit_state(item, "ledger.");
-  item("settling_residual", settling_residual_);
   if (elastic_head_) elastic_head_->visit_state(item, "head.modes.");
   if (elastic_mould_) elastic_mould_->visit_state(item, "mould.modes.");
   item("settled_height", settled_height_);
@@ -134,16 +123,7 @@ Law GyratoryRun<Law>::wall_law(Part part, bool bonds) const {
 
 template <class Law>
 void GyratoryRun<Law>::fill(Recorder& recorder, Progress& progress, const Pulse& pulse) {
-  budget_.enter(TimeBudget::settling);
-  const auto report = [&](double rest) {
-    filling_.record(recorder, bed_.time(), bed_.stones(), 0);
-    progress.report(rest, fmt::format("settling: time {:.2f} s, rest {:.1e}", bed_.time(), rest));
-  };
-  settle(bed_, settling_, report, [&] {
-    if (ledger_) ledger_->look(bed_);
-    pulse();
-  });
-  budget_.enter(TimeBudget::other);
+  watch_.settle(bed_, recorder, progress, pulse);
 }
 
 template <class Law>
@@ -152,10 +132,7 @@ void GyratoryRun<Law>::close() {
   closed_ = true;
   closed_at_ = bed_.time();
   settled_steps_ = bed_.steps();
-  if (ledger_) {
-    settling_residual_ = ledger_->energies().residual_share();
-    ledger_->restart();
-  }
+  watch_.end_settling();
   settled_height_ = dem::mean_of_highest(bed_.stones(), highest_points);
   next_row_ = closed_at_ + scene_.output.history_interval;
   next_picture_ = picture_after(closed_at_);
@@ -194,7 +171,7 @@ dem::Ram GyratoryRun<Law>::ram() const {
 // Puts the inclined head on the bed and lets shells bond from now on.
 template <class Law>
 void GyratoryRun<Law>::mount_head() {
-  const TimeBudget::Phase before = budget_.enter(TimeBudget::steel_setup);
+  const TimeBudget::Phase before = watch_.budget.enter(TimeBudget::steel_setup);
   dem::Wall plate;
   plate.name = "head";
   plate.surface = dem::Disc{machine_.plate_radius};
@@ -210,7 +187,7 @@ void GyratoryRun<Law>::mount_head() {
   bed_.add_wall(plate, wall_law(head, true));
   if (scene_.mould.elastic)
     elastic_mould_.emplace(*scene_.mould.elastic, machine_, scene_.numerics, bed_.walls()[mould]);
-  budget_.enter(before);
+  watch_.budget.enter(before);
   wall_outputs_.begin(bed_.walls(), elastic_mould_);
   bed_.set_laws(book_.law<Law>({std::nullopt, scene_.stones.friction}, true),
                 {wall_law(floor, true), wall_law(mould, true), wall_law(head, true)});
@@ -249,7 +226,7 @@ void GyratoryRun<Law>::step() {
   const double began = timed ? wall_clock() : 0;
   bed_.step();
   const double stepped = timed ? wall_clock() : 0;
-  if (ledger_) ledger_->look(bed_);
+  watch_.look(bed_);
   const double dt = bed_.time_step();
   dem::Wall& plate = bed_.walls()[head];
   dem::Wall& ring = bed_.walls()[mould];
@@ -260,9 +237,9 @@ void GyratoryRun<Law>::step() {
   if (elastic_head_) elastic_head_->exchange(plate, dt);
   if (elastic_mould_) elastic_mould_->exchange(ring, dt);
   if (timed) {
-    budget_.sample(TimeBudget::stones, stepped - began);
-    budget_.sample(TimeBudget::outputs, looked - stepped);
-    budget_.sample(TimeBudget::steel, wall_clock() - looked);
+    watch_.budget.sample(TimeBudget::stones, stepped - began);
+    watch_.budget.sample(TimeBudget::outputs, looked - stepped);
+    watch_.budget.sample(TimeBudget::steel, wall_clock() - looked);
   }
   history_.look(plate, ring, bed_.time(), dt);
 }
@@ -288,12 +265,12 @@ template <class Law>
 void GyratoryRun<Law>::record(Recorder& recorder) {
   const GyratoryHistory::Moment now = moment();
   std::vector<double> row = history_.end_row(now, scene_, machine_.section);
-  if (ledger_) add_energies(row, ledger_->energies());
+  watch_.add_to(row);
   std::ranges::copy(wall_outputs_.row(), std::back_inserter(row));
   wall_outputs_.turn(now.gyration, bed_.walls()[mould], elastic_mould_, recorder);
   if (now.gyration < 0) {
     constexpr std::size_t ram_pressure = 4;  // its column
-    filling_.record(recorder, bed_.time(), bed_.stones(), row[ram_pressure]);
+    watch_.filling.record(recorder, bed_.time(), bed_.stones(), row[ram_pressure]);
   }
   history_.record(recorder, now, scene_.gyration.count, std::move(row));
 }
@@ -302,7 +279,7 @@ template <class Law>
 void GyratoryRun<Law>::compact(Recorder& recorder, GyratoryPictures& pictures, Progress& progress,
                                const Pulse& pulse) {
   const double end = last_turn_ends(), length = end - closed_at_;
-  budget_.enter(TimeBudget::stepping);
+  watch_.budget.enter(TimeBudget::stepping);
   const double began = wall_clock();
   const std::int64_t first_step = bed_.steps();
   for (;;) {
@@ -328,14 +305,14 @@ void GyratoryRun<Law>::compact(Recorder& recorder, GyratoryPictures& pictures, P
                     1e2 * air_voids(height), rate));
   }
   draw(recorder, pictures);
-  budget_.enter(TimeBudget::other);
+  watch_.budget.enter(TimeBudget::other);
   recorder.flush();
   progress.finish();
 }
 
 template <class Law>
 void GyratoryRun<Law>::draw(Recorder& recorder, GyratoryPictures& pictures) {
-  const TimeBudget::Phase before = budget_.enter(TimeBudget::pictures);
+  const TimeBudget::Phase before = watch_.budget.enter(TimeBudget::pictures);
   pictures.draw(bed_.time() - closed_at_, bed_.stones(), bed_.coordination(),
                 {bed_.walls()[head], elastic_head_}, {bed_.walls()[mould], elastic_mould_});
   write_bed(recorder, bed_, closed_at_);
@@ -343,7 +320,7 @@ void GyratoryRun<Law>::draw(Recorder& recorder, GyratoryPictures& pictures) {
   const dem::Vec3d& centre = bed_.walls()[head].frame.origin;
   recorder.write("/head/centre", std::array{centre.x, centre.y, face.mean_height}, "m");
   recorder.write("/head/normal", std::array{face.normal.x, face.normal.y, face.normal.z}, "1");
-  budget_.enter(before);
+  watch_.budget.enter(before);
 }
 
 template <class Law>
@@ -353,11 +330,7 @@ std::vector<Finding> GyratoryRun<Law>::findings(double wall_seconds) const {
       settled_height_, head_mass_,     history_.voids_at_start(),
       elastic_head_,   elastic_mould_, {GyratoryHistory::columns(scene_), history_.last_rows()}};
   std::vector<Finding> found = gyratory_findings(scene_, mix_, machine_, outcome);
-  std::ranges::copy(budget_.findings(), std::back_inserter(found));
-  if (ledger_) {
-    found.push_back({"settling_energy_residual_share", settling_residual_});
-    add_energies(found, ledger_->energies());
-  }
+  watch_.add_to(found);
   return found;
 }
 
