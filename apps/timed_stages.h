@@ -50,12 +50,16 @@ class Stages {
     const double horizon =
         ++steps_ % dem::check_interval == 0 ? dem::check_interval * bed_time_step : 0;
     dem::Travel travel;
-    double wall_moved = 0;
     timed(motion, [&] {
-      for (dem::Wall& wall : bed_.walls) wall_moved = std::max(wall_moved, move(wall));
+      for (dem::Wall& wall : bed_.walls) move(wall);
       travel = dem::advance_stones(bed_.stones, steps, 0, bed_gravity, leash_);
     });
-    if (travel.strayed || wall_moved > skin_ / 2) timed(lists, [&] { make_lists(); });
+    timed(lists, [&] {
+      if (travel.strayed) make_lists();
+      for (std::size_t w = 0; w < bed_.walls.size(); ++w)
+        if (bed_.walls[w].moved > skin_ / 2)
+          at_walls_[w].find(bed_.stones, bed_.walls[w], skin_, leash_);
+    });
     timed(pairs, [&] { pairs_.evaluate(bed_.stones, bed_time_step, horizon); });
     timed(wall_contacts, [&] {
       for (std::size_t w = 0; w < bed_.walls.size(); ++w)
@@ -104,13 +108,12 @@ class Stages {
     spent_[stage] += seconds_since(start);
   }
 
-  // Returns what it has moved since the lists were made, at most [m].
-  double move(dem::Wall& wall) const {
+  void move(dem::Wall& wall) const {
     constexpr dem::Steps steps = {bed_time_step, bed_time_step};
     const double time = static_cast<double>(steps_ - 1) * bed_time_step;
     dem::advance(wall.motion, wall.frame, wall.force, time, steps);
     const double reach = std::visit([](const auto& face) { return face.extent(); }, wall.surface);
-    return wall.moved += steps.now * (norm(wall.frame.velocity) + norm(wall.frame.spin) * reach);
+    wall.moved += steps.now * (norm(wall.frame.velocity) + norm(wall.frame.spin) * reach);
   }
 
   void make_lists() {
@@ -120,10 +123,9 @@ class Stages {
     const std::vector<double> extra = dem::extra_skin(stones, skin_, bed_time_step);
     list_.build({stones.position, radius, stones.id, extra}, skin_);
     pairs_.take(list_, bed_.stones);
-    for (std::size_t w = 0; w < bed_.walls.size(); ++w)
-      at_walls_[w].find(stones, bed_.walls[w], skin_, extra, {});
-    for (dem::Wall& wall : bed_.walls) wall.moved = 0;
     leash_ = dem::leashes(stones, skin_, extra);
+    for (std::size_t w = 0; w < bed_.walls.size(); ++w)
+      at_walls_[w].find(stones, bed_.walls[w], skin_, leash_);
   }
 
   Bed<Law> bed_;

@@ -14,10 +14,22 @@ Load weight(const ParticleStore& stones, std::int64_t i, double gravity) {
 }  // namespace
 
 std::vector<double> extra_skin(const ParticleStore& stones, double skin, double dt) {
-  constexpr double enough = 128, most = 3;  // steps; of skins
-  std::vector<double> extra(stones.size());
-  for (std::size_t i = 0; i < extra.size(); ++i)
-    extra[i] = std::clamp(norm(stones.velocity[i]) * dt * enough - skin / 2, 0.0, most * skin);
+  struct Reach {
+    double steps, skins;  // at most
+  };
+  constexpr Reach usual = {256, 3}, of_fastest = {1024, 12};
+  constexpr std::size_t stones_per_fast = 512;
+  const std::size_t count = stones.size();
+  std::vector<double> way(count);  // in a step [m]
+  for (std::size_t i = 0; i < count; ++i) way[i] = norm(stones.velocity[i]) * dt;
+  std::vector<double> ranked = way;
+  const auto fast = ranked.end() - static_cast<std::ptrdiff_t>(count / stones_per_fast + 1);
+  std::ranges::nth_element(ranked, fast);
+  std::vector<double> extra(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Reach reach = way[i] < *fast ? usual : of_fastest;
+    extra[i] = std::clamp(way[i] * reach.steps - skin / 2, 0.0, reach.skins * skin);
+  }
   return extra;
 }
 

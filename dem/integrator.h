@@ -17,7 +17,7 @@ struct Leash {
 };
 
 // What fast stones widen the skin [m] of the lists by, so that they alone do not make them stale:
-// the way of a number of steps of dt [s], within what the stock of candidates covers.
+// the way of a number of steps of dt [s] within some skins, more for the very fastest.
 std::vector<double> extra_skin(const ParticleStore& stones, double skin, double dt);
 
 // Of lists with that skin and these extras; the other half of the skin is for the other stone or

@@ -60,8 +60,16 @@ std::size_t find_seconds(const Spheres& spheres, const std::vector<Level>& level
   return end;
 }
 
-constexpr std::int64_t rows_per_chunk = 128;  // searched by one thread in one go
-constexpr double stock = 12;                  // skin of the candidates / that of the list [-]
+constexpr std::int64_t rows_per_chunk = 128;    // searched by one thread in one go
+constexpr std::int64_t stones_per_stray = 128;  // fewer are searched one by one
+
+// Of the candidates, for a list with the given one [m]: wide enough to last for many builds, and
+// not so wide that they are many more than the neighbours.
+double wide_skin(const Spheres& spheres, double skin) {
+  double mean = 0;
+  for (const double r : spheres.radius) mean += r / static_cast<double>(spheres.radius.size());
+  return std::max(12 * skin, 0.3 * mean);
+}
 
 // Calls row(i, chunk) for all rows, those of a chunk in order; chunks side by side.
 template <class Chunk, class Row>
@@ -106,14 +114,40 @@ void Candidates::search(const Spheres& spheres, double wide_skin) {
     second.insert(second.end(), chunk.seconds.begin(), chunk.seconds.end());
 }
 
-bool Candidates::cover(const Spheres& spheres, double wanted) const {
-  if (!std::ranges::equal(spheres.id, id) || !std::ranges::equal(spheres.radius, radius))
-    return false;
-  double farthest = 0;
-  for (std::size_t k = 0; k < position.size(); ++k)
-    farthest = std::max(farthest, norm(spheres.position[k] - position[k]) + spheres.extra_of(k));
-  return wanted + 2 * farthest <= skin;
+bool Candidates::are_of(const Spheres& spheres) const {
+  return std::ranges::equal(spheres.id, id) && std::ranges::equal(spheres.radius, radius);
 }
+
+std::vector<std::uint32_t> Candidates::strays(const Spheres& spheres, double wanted) const {
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t k = 0; k < position.size(); ++k) {
+    const double way = norm(spheres.position[k] - position[k]) + spheres.extra_of(k);
+    if (wanted + 2 * way > skin) found.push_back(k);
+  }
+  return found;
+}
+
+namespace {
+
+bool closer(const Spheres& spheres, std::uint32_t i, std::uint32_t j, double skin) {
+  const Vec3d apart = spheres.position[i] - spheres.position[j];
+  const double reach =
+      spheres.radius[i] + spheres.radius[j] + skin + spheres.extra_of(i) + spheres.extra_of(j);
+  return dot(apart, apart) < reach * reach;
+}
+
+// Adds every pair of a stone with any other.
+void add_pairs_of(std::uint32_t stone, const Spheres& spheres, double skin,
+                  std::vector<StonePair>& pairs) {
+  for (std::uint32_t k = 0; k < spheres.position.size(); ++k) {
+    if (k == stone || !closer(spheres, stone, k, skin)) continue;
+    const bool first =
+        comes_first(spheres.radius[stone], spheres.id[stone], spheres.radius[k], spheres.id[k]);
+    pairs.push_back(first ? StonePair{stone, k} : StonePair{k, stone});
+  }
+}
+
+}  // namespace
 
 void NeighborList::build(const Spheres& spheres, double skin, std::span<const StonePair> keep,
                          std::span<const std::uint32_t> old_index) {
@@ -124,10 +158,20 @@ void NeighborList::build(const Spheres& spheres, double skin, std::span<const St
 
   NeighborList old = std::move(*this);
   candidates = std::move(old.candidates);
-  if (!candidates.cover(spheres, skin)) candidates.search(spheres, stock * skin);
+  std::vector<StonePair> beside(keep.begin(), keep.end());
+  std::vector<std::uint32_t> strays;
+  bool search = !candidates.are_of(spheres);
+  if (!search) {
+    strays = candidates.strays(spheres, skin);
+    search = std::ssize(strays) > 1 + count / stones_per_stray;
+  }
+  if (search)
+    candidates.search(spheres, wide_skin(spheres, skin));
+  else
+    for (const std::uint32_t stone : strays) add_pairs_of(stone, spheres, skin, beside);
 
   std::vector<std::uint32_t> kept_first;
-  for (const StonePair& pair : keep) kept_first.push_back(pair.first);
+  for (const StonePair& pair : beside) kept_first.push_back(pair.first);
   const Groups kept = group_by(kept_first, count);
   row_start.assign(count + 1, 0);
   const auto chunks = in_chunks<std::vector<std::uint32_t>>(
@@ -137,17 +181,14 @@ void NeighborList::build(const Spheres& spheres, double skin, std::span<const St
         seconds.resize(begin + candidates.row_start[i + 1] - candidates.row_start[i]);
         for (std::uint32_t k = candidates.row_start[i]; k < candidates.row_start[i + 1]; ++k) {
           const std::uint32_t j = candidates.second[k];
-          const Vec3d apart = spheres.position[i] - spheres.position[j];
-          const double reach = spheres.radius[i] + spheres.radius[j] + skin + spheres.extra_of(i) +
-                               spheres.extra_of(j);
           // Every candidate is written, and only a hit moves the end: a branch is guessed wrong.
           seconds[end] = j;
-          end += dot(apart, apart) < reach * reach;
+          end += closer(spheres, i, j, skin);
         }
         seconds.resize(end);
         if (kept.start[i] < kept.start[i + 1]) {
           for (std::uint32_t k = kept.start[i]; k < kept.start[i + 1]; ++k) {
-            const std::uint32_t j = keep[kept.item[k]].second;
+            const std::uint32_t j = beside[kept.item[k]].second;
             assert(comes_first(spheres.radius[i], spheres.id[i], spheres.radius[j], spheres.id[j]));
             seconds.push_back(j);
           }

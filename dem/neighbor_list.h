@@ -4,11 +4,11 @@
 // and the ids of the two (see `comes_first`), never on where the store holds them. So a slot keeps
 // its orientation, and with it the sign of its history, over every rebuild and reordering.
 //
-// Most builds only sift a stock of candidates, pairs closer than a much wider skin. The stock is
-// searched anew when stones have moved too far or were reordered, by levels of radius (after
-// Ogarko, Luding (2012)): each level spans a factor of two and has a grid of its own, and a stone
-// looks for partners in its own and the coarser levels, so that small stones do not pay for large
-// ones.
+// Most builds only sift a stock of candidates, pairs closer than a much wider skin, and hold the
+// few stones that have moved too far for it against all others. The stock is searched anew when
+// these are no longer few or stones were reordered, by levels of radius (after Ogarko, Luding
+// (2012)): each level spans a factor of two and has a grid of its own, and a stone looks for
+// partners in its own and the coarser levels, so that small stones do not pay for large ones.
 #pragma once
 
 #include <cmath>
@@ -41,8 +41,11 @@ struct Candidates {
   std::vector<std::uint32_t> row_start, second;
 
   void search(const Spheres& spheres, double wide_skin);
-  // Whether every pair that is closer than `wanted` [m] now is among them.
-  bool cover(const Spheres& spheres, double wanted) const;
+  // Whether they were searched among these very spheres, in this order.
+  bool are_of(const Spheres& spheres) const;
+  // Every pair that is closer than `wanted` [m] now, their extras added, is among them, unless one
+  // of these stones is in it: those that have moved farthest.
+  std::vector<std::uint32_t> strays(const Spheres& spheres, double wanted) const;
 };
 
 struct NeighborList {

@@ -120,9 +120,10 @@ void Simulation<Law>::step() {
   if (!travel.finite) stop_at_first_not_finite(stones_, time_);
   stop_at_wall_not_finite();
 
-  double wall_moved = 0;
-  for (const Wall& wall : walls_) wall_moved = larger(wall_moved, wall.moved);
-  if (travel.strayed || wall_moved > settings_.skin / 2) refresh_neighbors();
+  if (travel.strayed) refresh_neighbors();
+  for (std::size_t w = 0; w < walls_.size(); ++w)
+    if (walls_[w].moved > settings_.skin / 2)
+      wall_contacts_[w].find(stones_, walls_[w], settings_.skin, leash_);
 
   find_forces(dt, steps_ % check_interval == 0);
 }
@@ -194,11 +195,9 @@ void Simulation<Law>::refresh_neighbors() {
   const std::vector<double> extra = extra_skin(stones_, settings_.skin, clock_.step());
   list_.build({stones_.position, radius, stones_.id, extra}, settings_.skin, keep, order);
   pairs_.take(list_, stones_);
-  for (std::size_t w = 0; w < walls_.size(); ++w) {
-    wall_contacts_[w].find(stones_, walls_[w], settings_.skin, extra, order);
-    walls_[w].moved = 0;
-  }
   leash_ = leashes(stones_, settings_.skin, extra);
+  for (std::size_t w = 0; w < walls_.size(); ++w)
+    wall_contacts_[w].find(stones_, walls_[w], settings_.skin, leash_, order);
   stale_ = false;
 }
 

@@ -22,7 +22,7 @@ struct Wall {
   Vec3d moment = {0, 0, 0};  // about the frame's origin [N m]
   double push = 0;           // sum of the normal forces, positive pressing on the wall [N]
 
-  double moved = 0;  // bound of its motion since the contact lists were made [m]
+  double moved = 0;  // bound of its motion since its list of stones was made [m]
 };
 
 }  // namespace dem

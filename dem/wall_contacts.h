@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "dem/fracture.h"
+#include "dem/integrator.h"
 #include "dem/pair_contacts.h"
 #include "dem/wall.h"
 
@@ -30,11 +31,12 @@ class WallContacts {
   ContactHistory<Law> history;
   std::vector<std::int32_t> stones;  // one per slot (padded), in rising store order
 
-  // Lists the stones nearer than `skin` and their extra [m] and those whose contact lives on.
-  // old_index: where the stone that is now at k was stored when the last list was made; empty if
-  // nothing moved places.
-  void find(const ParticleStore& particles, const Wall& wall, double skin,
-            std::span<const double> extra, std::span<const std::uint32_t> old_index);
+  // Lists the stones that may touch before the wall has moved by half a skin [m] or a stone is at
+  // the end of its leash, wherever on that it is now, and those whose contact lives on. The way of
+  // the wall begins anew. old_index: where the stone that is now at k was stored when the last list
+  // was made; empty if nothing moved places.
+  void find(const ParticleStore& particles, Wall& wall, double skin, std::span<const Leash> leash,
+            std::span<const std::uint32_t> old_index = {});
 
   // Adds the contact forces to the stones and renews the wall's force, moment, push and impulses.
   // dt and horizon as of the pairs.
@@ -86,9 +88,10 @@ class WallContacts {
 };
 
 template <ContactLaw Law>
-void WallContacts<Law>::find(const ParticleStore& particles, const Wall& wall, double skin,
-                             std::span<const double> extra,
+void WallContacts<Law>::find(const ParticleStore& particles, Wall& wall, double skin,
+                             std::span<const Leash> leash,
                              std::span<const std::uint32_t> old_index) {
+  wall.moved = 0;
   const std::size_t count = particles.size();
   std::vector<std::int32_t> old_slot(count, -1);
   for (std::int64_t s = 0; s < slots_; ++s) old_slot[stones[s]] = static_cast<std::int32_t>(s);
@@ -99,7 +102,7 @@ void WallContacts<Law>::find(const ParticleStore& particles, const Wall& wall, d
     const double distance = std::visit(
         [&](const auto& surface) { return surface.nearest(local).distance; }, wall.surface);
     const std::int32_t before = old_slot[old_index.empty() ? k : old_index[k]];
-    const bool near = distance < particles.outer_radius(k) + skin + extra[k];
+    const bool near = distance < particles.outer_radius(k) + skin / 2 + 2 * leash[k].length;
     if (!near && (before < 0 || !history.holds(before))) continue;
     stones.push_back(static_cast<std::int32_t>(k));
     previous.push_back(before);

@@ -77,7 +77,8 @@ struct Bed {
     at_floor.law.set_time_step(dt);
     floor.surface = dem::Plane{};
     make_list();
-    at_floor.find(stones, floor, skin, dem::extra_skin(stones, skin, dt), {});
+    at_floor.find(stones, floor, skin,
+                  dem::leashes(stones, skin, dem::extra_skin(stones, skin, dt)));
     dem::weigh(stones, 9.81);
   }
 

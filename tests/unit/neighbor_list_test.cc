@@ -140,6 +140,21 @@ TEST(neighbor_list, it_stays_complete_while_stones_move) {
   EXPECT_LT(searches, 20);
 }
 
+TEST(neighbor_list, it_stays_complete_while_few_stones_stray_without_a_search_for_all) {
+  // Reference: the slow and obvious search. Of 700 stones as many stray as are searched one by one.
+  Stones stones = random_stones(700, 0.6, 5, 1);
+  NeighborList list = list_of(stones);
+  const std::vector<Vec3d> stock = list.candidates.position;
+  const double side = 2 * norm(stones.position[0] - stones.position[1]);
+  for (int n = 0; n < 20; ++n) {
+    for (const std::uint32_t k : {3, 77, 310, 311, 699})
+      stones.position[k] = stones.position[n] + side * Vec3d{number(n, k, 1), number(n, k, 2), 0};
+    list.build(stones.spheres(), skin);
+    ASSERT_EQ(pairs_of(list), by_brute_force(stones)) << "after " << n << " moves";
+    ASSERT_EQ(norm(list.candidates.position[3] - stock[3]), 0);
+  }
+}
+
 TEST(neighbor_list, stones_all_in_one_place_are_all_neighbors) {
   // Closed form: n (n - 1) / 2 pairs.
   Stones stones = random_stones(300, 1, 0, 1);
