@@ -76,7 +76,8 @@ def settings(place, long):
                            "binder.content": "6.6 %", "mould.diameter": "50 mm"}
     yield "sizes 1:16", {"stones.gradation": sieves(place, [(1, 0), (16, 100)]),
                          "stones.distribution": "log_linear", "stones.smallest": "1 mm",
-                         "stones.count": 3000, "mould.diameter": "40 mm"}
+                         "stones.count": 1500, "mould.diameter": "40 mm",
+                         "output.energy_ledger": "false"}
     yield "weak stones", {"stones.fracture.scale": "40 MPa"}
     for scale in (1, 1e2, 1e5, 1e6, 1e7):
         brief = {"gyration.ramp": "0.02 s", "gyration.count": 0.02} if scale < 10 else {}
