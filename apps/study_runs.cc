@@ -166,11 +166,11 @@ void carry_out(std::vector<StudyRun>& runs, int at_once,
 
 std::vector<std::string> objections(const std::vector<StudyRun>& runs) {
   std::vector<std::string> lines;
+  const std::string log =
+      fs::temp_directory_path() / ("trade_check_" + std::to_string(getpid()) + ".log");
   for (const StudyRun& run : runs) {
-    const std::string log = run.folder + ".log";
     std::vector<std::string> words = run.command;
     words.insert(words.end(), {"--check", "--quiet"});
-    fs::create_directories(fs::path(run.folder).parent_path());
     int status = 0;
     waitpid(start(words, log), &status, 0);
     if (WIFEXITED(status) && WEXITSTATUS(status) == ok) continue;
@@ -180,6 +180,7 @@ std::vector<std::string> objections(const std::vector<StudyRun>& runs) {
       if (std::ranges::find(lines, line) == lines.end()) lines.push_back(line);
     }
   }
+  fs::remove(log);
   return lines;
 }
 
