@@ -71,7 +71,6 @@ std::vector<double> GyratoryHistory::end_row(const Moment& moment, const Gyrator
 
 void GyratoryHistory::record(Recorder& recorder, const Moment& moment, double gyrations,
                              std::vector<double> row) {
-  constexpr std::size_t air_voids = 3;  // its column
   const auto put = [&](std::vector<double> whole) {
     whole.push_back(*voids_at_start_ - whole[air_voids]);
     recorder.append(whole);

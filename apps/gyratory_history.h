@@ -16,6 +16,8 @@ class GyratoryHistory {
  public:
   static std::vector<Column> columns(const GyratoryScene& scene);
 
+  static constexpr std::size_t air_voids = 3, ram_pressure = 4;  // places of columns
+
   // What a run is at the end of a row.
   struct Moment {
     double time;            // since the plate came down [s]

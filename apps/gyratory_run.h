@@ -268,10 +268,8 @@ void GyratoryRun<Law>::record(Recorder& recorder) {
   watch_.add_to(row);
   std::ranges::copy(wall_outputs_.row(), std::back_inserter(row));
   wall_outputs_.turn(now.gyration, bed_.walls()[mould], elastic_mould_, recorder);
-  if (now.gyration < 0) {
-    constexpr std::size_t ram_pressure = 4;  // its column
-    watch_.filling.record(recorder, bed_.time(), bed_.stones(), row[ram_pressure]);
-  }
+  if (now.gyration < 0)
+    watch_.filling.record(recorder, bed_.time(), bed_.stones(), row[GyratoryHistory::ram_pressure]);
   history_.record(recorder, now, scene_.gyration.count, std::move(row));
 }
 

@@ -71,6 +71,24 @@ double wide_skin(const Spheres& spheres, double skin) {
   return std::max(12 * skin, 0.3 * mean);
 }
 
+bool closer(const Spheres& spheres, std::uint32_t i, std::uint32_t j, double skin) {
+  const Vec3d apart = spheres.position[i] - spheres.position[j];
+  const double reach =
+      spheres.radius[i] + spheres.radius[j] + skin + spheres.extra_of(i) + spheres.extra_of(j);
+  return dot(apart, apart) < reach * reach;
+}
+
+// Adds every pair of a stone with any other.
+void add_pairs_of(std::uint32_t stone, const Spheres& spheres, double skin,
+                  std::vector<StonePair>& pairs) {
+  for (std::uint32_t k = 0; k < spheres.position.size(); ++k) {
+    if (k == stone || !closer(spheres, stone, k, skin)) continue;
+    const bool first =
+        comes_first(spheres.radius[stone], spheres.id[stone], spheres.radius[k], spheres.id[k]);
+    pairs.push_back(first ? StonePair{stone, k} : StonePair{k, stone});
+  }
+}
+
 // Calls row(i, chunk) for all rows, those of a chunk in order; chunks side by side.
 template <class Chunk, class Row>
 std::vector<Chunk> in_chunks(std::int64_t rows, Row row) {
@@ -127,28 +145,6 @@ std::vector<std::uint32_t> Candidates::strays(const Spheres& spheres, double wan
   return found;
 }
 
-namespace {
-
-bool closer(const Spheres& spheres, std::uint32_t i, std::uint32_t j, double skin) {
-  const Vec3d apart = spheres.position[i] - spheres.position[j];
-  const double reach =
-      spheres.radius[i] + spheres.radius[j] + skin + spheres.extra_of(i) + spheres.extra_of(j);
-  return dot(apart, apart) < reach * reach;
-}
-
-// Adds every pair of a stone with any other.
-void add_pairs_of(std::uint32_t stone, const Spheres& spheres, double skin,
-                  std::vector<StonePair>& pairs) {
-  for (std::uint32_t k = 0; k < spheres.position.size(); ++k) {
-    if (k == stone || !closer(spheres, stone, k, skin)) continue;
-    const bool first =
-        comes_first(spheres.radius[stone], spheres.id[stone], spheres.radius[k], spheres.id[k]);
-    pairs.push_back(first ? StonePair{stone, k} : StonePair{k, stone});
-  }
-}
-
-}  // namespace
-
 void NeighborList::build(const Spheres& spheres, double skin, std::span<const StonePair> keep,
                          std::span<const std::uint32_t> old_index) {
   const std::int64_t count = std::ssize(spheres.position);
@@ -159,16 +155,12 @@ void NeighborList::build(const Spheres& spheres, double skin, std::span<const St
   NeighborList old = std::move(*this);
   candidates = std::move(old.candidates);
   std::vector<StonePair> beside(keep.begin(), keep.end());
-  std::vector<std::uint32_t> strays;
-  bool search = !candidates.are_of(spheres);
-  if (!search) {
-    strays = candidates.strays(spheres, skin);
-    search = std::ssize(strays) > 1 + count / stones_per_stray;
-  }
-  if (search)
-    candidates.search(spheres, wide_skin(spheres, skin));
-  else
+  const bool known = candidates.are_of(spheres);
+  const auto strays = known ? candidates.strays(spheres, skin) : std::vector<std::uint32_t>();
+  if (known && std::ssize(strays) <= 1 + count / stones_per_stray)
     for (const std::uint32_t stone : strays) add_pairs_of(stone, spheres, skin, beside);
+  else
+    candidates.search(spheres, wide_skin(spheres, skin));
 
   std::vector<std::uint32_t> kept_first;
   for (const StonePair& pair : beside) kept_first.push_back(pair.first);
