@@ -46,21 +46,24 @@ double largest_step(const Law& law, const dem::ParticleStore& stones, double saf
   return least;
 }
 
-// Takes from every stone the inertia that it does not need for the step of the one that needs most:
-// against one like itself, and against as many of the smallest as find room around it, who press it
-// all at once. None gets less than its mass.
+// The inertia [kg] of stones from which is taken what they do not need for the step of the one that
+// needs most: against one like itself, and against as many of the smallest as find room around it,
+// who press it all at once. None gets less than its mass.
+// Not for a bed that still falls: where the scales differ, weight sorts the stones.
 template <class Law>
-void select_inertia(const Law& law, dem::ParticleStore& stones) {
+std::vector<double> selected_inertia(const Law& law, const dem::ParticleStore& stones) {
   const double needed = largest_step(law, stones, 1);
   const auto smallest = static_cast<std::size_t>(
       std::min_element(stones.radius.begin(), stones.radius.end()) - stones.radius.begin());
   const double least = stones.inertia[smallest];
+  std::vector<double> inertia(stones.size());
   for (std::size_t k = 0; k < stones.size(); ++k) {
     const double spare = needed / stable_step(law, stones, k, 1);
     const double room = 0.5 * (1 + stones.outer_radius(k) / stones.outer_radius(smallest));
     const double enough = std::max(stones.inertia[k] * spare * spare, least * room * room);
-    stones.inertia[k] = std::max(stones.mass[k], std::min(stones.inertia[k], enough));
+    inertia[k] = std::max(stones.mass[k], std::min(stones.inertia[k], enough));
   }
+  return inertia;
 }
 
 // The simulation of a gas of the mix in a container, without walls yet, at rest and without bonds.
@@ -76,7 +79,6 @@ dem::Simulation<Law> make_bed(const StonesScene& stones, const Mix& mix, const L
   if (!mix.strength.empty()) dem::make_breakable(store, mix.strength);
 
   const Law law = book.law<Law>({std::nullopt, stones.friction}, fill.bonds);
-  if (numerics.selective_mass) select_inertia(law, store);
   dem::Settings settings;
   settings.safety = numerics.safety;
   settings.largest_overlap = numerics.largest_overlap;

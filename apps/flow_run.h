@@ -140,7 +140,8 @@ void FlowRun<Law>::lower_strip() {
   mount_strip();
 }
 
-// Puts the strip on the highest stone below it and lets shells bond from now on.
+// Puts the strip on the highest stone below it; from now on shells bond and inertia is what scenes
+// want.
 template <class Law>
 void FlowRun<Law>::mount_strip() {
   const FlowScene& flow = scene_.flow;
@@ -158,8 +159,9 @@ void FlowRun<Law>::mount_strip() {
   strip_ = bed_.walls().size();
   wall_law_ = book_.law<Law>({rigid, flow.wall_friction}, true);
   bed_.add_wall(strip, wall_law_);
-  bed_.set_laws(book_.law<Law>({std::nullopt, scene_.stones.friction}, true),
-                std::vector<Law>(bed_.walls().size(), wall_law_));
+  const Law law = book_.law<Law>({std::nullopt, scene_.stones.friction}, true);
+  bed_.set_laws(law, std::vector<Law>(bed_.walls().size(), wall_law_));
+  if (scene_.numerics.selective_mass) bed_.set_inertia(selected_inertia(law, bed_.stones()));
 }
 
 template <class Law>

@@ -98,13 +98,12 @@ BedForecast forecast_bed(const BedPlan& plan, const Mix& mix, const LawBook& boo
   dem::ParticleStore store = dem::make_stones(gas.position, mix.radius, plan.stones.density,
                                               mix.shell, plan.numerics.mass_scale);
   const Law law = book.law<Law>({std::nullopt, plan.stones.friction}, plan.fill.bonds);
-  if (plan.numerics.selective_mass) select_inertia(law, store);
-  const double scale = dem::mean_inertia_scale(store);
-  told.inertial_number *= std::sqrt(scale / plan.numerics.mass_scale);
+  told.settling_time *= std::sqrt(2 * gas.height * dem::mean_inertia_scale(store) / 9.81);
+  if (plan.numerics.selective_mass) store.inertia = selected_inertia(law, store);
+  told.inertial_number *= std::sqrt(dem::mean_inertia_scale(store) / plan.numerics.mass_scale);
   told.memory = sizeof(typename Law::template Memory<double>);
   told.loose_step = largest_step(law, store, plan.numerics.safety);
   told.loaded_step = std::min(told.loaded_step, told.loose_step);
-  told.settling_time *= std::sqrt(2 * gas.height * scale / 9.81);
   told.seconds_per_step = measured_step<Law>(plan, mix, book, gas);
   return told;
 }

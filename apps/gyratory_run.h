@@ -168,7 +168,7 @@ dem::Ram GyratoryRun<Law>::ram() const {
           gyration.approach_speed};
 }
 
-// Puts the inclined head on the bed and lets shells bond from now on.
+// Puts the inclined head on the bed; from now on shells bond and inertia is what scenes want.
 template <class Law>
 void GyratoryRun<Law>::mount_head() {
   const TimeBudget::Phase before = watch_.budget.enter(TimeBudget::steel_setup);
@@ -189,8 +189,9 @@ void GyratoryRun<Law>::mount_head() {
     elastic_mould_.emplace(*scene_.mould.elastic, machine_, scene_.numerics, bed_.walls()[mould]);
   watch_.budget.enter(before);
   wall_outputs_.begin(bed_.walls(), elastic_mould_);
-  bed_.set_laws(book_.law<Law>({std::nullopt, scene_.stones.friction}, true),
-                {wall_law(floor, true), wall_law(mould, true), wall_law(head, true)});
+  const Law law = book_.law<Law>({std::nullopt, scene_.stones.friction}, true);
+  bed_.set_laws(law, {wall_law(floor, true), wall_law(mould, true), wall_law(head, true)});
+  if (scene_.numerics.selective_mass) bed_.set_inertia(selected_inertia(law, bed_.stones()));
 }
 
 template <class Law>

@@ -52,6 +52,11 @@ class Simulation {
 
   // The laws from here on, e.g. once stones may bond; memories are kept.
   void set_laws(const Law& pair_law, const std::vector<Law>& wall_laws);
+  // What resists acceleration from here on, by place [kg]; velocities are kept.
+  void set_inertia(std::vector<double> inertia) {
+    stones_.inertia = std::move(inertia);
+    stale_ = true;
+  }
   void set_drag(double rate) { drag_ = rate; }          // [1/s], see advance_stones
   double drag() const { return drag_; }                 // [1/s]
   double gravity() const { return settings_.gravity; }  // [m/s2]
@@ -126,6 +131,7 @@ void Simulation<Law>::step() {
       wall_contacts_[w].find(stones_, walls_[w], settings_.skin, leash_);
 
   find_forces(dt, steps_ % check_interval == 0);
+  stop_at_wall_not_finite();
 }
 
 template <ContactLaw Law>
@@ -161,10 +167,14 @@ template <ContactLaw Law>
 void Simulation<Law>::stop_at_wall_not_finite() const {
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     const Wall& wall = walls_[w];
-    if (std::isfinite(wall.moved)) continue;
+    const double force = norm(wall.force);
+    const bool placed = std::isfinite(wall.moved);
+    if (placed && std::isfinite(force)) continue;
     const auto& met = wall_contacts_[w].stones;
-    throw NumericalTrouble("way that wall " + wall.name + " has moved [m]",
-                           stones_.id[met.empty() ? 0 : met.front()], time_, wall.moved);
+    const std::string what = placed ? "force on wall " + wall.name + " [N]"
+                                    : "way that wall " + wall.name + " has moved [m]";
+    throw NumericalTrouble(what, stones_.id[met.empty() ? 0 : met.front()], time_,
+                           placed ? force : wall.moved);
   }
 }
 
