@@ -35,8 +35,8 @@ class Archive {
     exchange(name, &value, sizeof(T));
   }
 
-  template <class T>
-  void operator()(const std::string& name, std::vector<T>& values) {
+  template <class T, class Allocator>
+  void operator()(const std::string& name, std::vector<T, Allocator>& values) {
     static_assert(std::is_trivially_copyable_v<T>);
     values.resize(count(name, sizeof(T), values.size()));
     exchange(name, values.data(), sizeof(T) * values.size());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 namespace dem {
@@ -75,6 +76,7 @@ void CellGrid::fill(const Spheres& spheres, std::span<const std::uint32_t> place
 
 std::vector<std::uint32_t> spatial_order(std::span<const Vec3d> position, double cell) {
   assert(cell > 0);
+  constexpr std::size_t slabs = 8;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Vec3d low = {infinity, infinity, infinity};
   for (const Vec3d& p : position) {
@@ -85,18 +87,23 @@ std::vector<std::uint32_t> spatial_order(std::span<const Vec3d> position, double
     const double k = offset / cell;
     return static_cast<std::uint64_t>(k > 0 ? std::min(k, last_cell) : 0);
   };
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> curve;  // Morton number and place
-  curve.reserve(position.size());
-  for (std::uint32_t k = 0; k < position.size(); ++k) {
-    const Vec3d offset = position[k] - low;
-    curve.emplace_back(spread_bits(number(offset.x)) | spread_bits(number(offset.y)) << 1 |
-                           spread_bits(number(offset.z)) << 2,
-                       k);
+  const auto morton = [&](const Vec3d& p) {
+    const Vec3d offset = p - low;
+    return spread_bits(number(offset.x)) | spread_bits(number(offset.y)) << 1 |
+           spread_bits(number(offset.z)) << 2;
+  };
+  std::vector<std::pair<double, std::uint32_t>> rising;  // height and place
+  for (std::uint32_t k = 0; k < position.size(); ++k) rising.emplace_back(position[k].z, k);
+  std::ranges::sort(rising);
+  std::vector<std::tuple<std::size_t, std::uint64_t, std::uint32_t>> curve;
+  for (std::size_t n = 0; n < rising.size(); ++n) {
+    const std::uint32_t place = rising[n].second;
+    curve.emplace_back(n * slabs / rising.size(), morton(position[place]), place);
   }
   std::ranges::sort(curve);
   std::vector<std::uint32_t> order;
   order.reserve(curve.size());
-  for (const auto& [morton, place] : curve) order.push_back(place);
+  for (const auto& [slab, along, place] : curve) order.push_back(place);
   return order;
 }
 

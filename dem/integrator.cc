@@ -4,11 +4,14 @@
 #include <cmath>
 #include <cstdint>
 
+#include "dem/records.h"
+
 namespace dem {
 namespace {
 
-Load weight(const ParticleStore& stones, std::int64_t i, double gravity) {
-  return {{{0, 0, -gravity * stones.mass[i]}, 0, {0, 0, 0}, 0}};
+void set_to_weight(Load& load, double weight) {
+  store_quad(Quad{0, 0, -weight, 0}, &load.force.x);
+  store_quad(Quad{}, &load.torque.x);
 }
 
 }  // namespace
@@ -42,7 +45,8 @@ std::vector<Leash> leashes(const ParticleStore& stones, double skin,
 }
 
 void weigh(ParticleStore& stones, double gravity) {
-  for (std::size_t i = 0; i < stones.size(); ++i) stones.load[i] = weight(stones, i, gravity);
+  for (std::size_t i = 0; i < stones.size(); ++i)
+    set_to_weight(stones.load[i], gravity * stones.mass[i]);
 }
 
 Travel advance_stones(ParticleStore& stones, Steps steps, double drag, double gravity,
@@ -51,20 +55,28 @@ Travel advance_stones(ParticleStore& stones, Steps steps, double drag, double gr
   const double dt = steps.now, kick = steps.kick();
   const double kept = std::exp(-drag * kick);
   bool strayed = false, finite = true;
-#pragma omp parallel for schedule(static) if (count > 64) reduction(|| : strayed) reduction(&& : finite)
-  for (std::int64_t i = 0; i < count; ++i) {
-    const double inertia = stones.inertia[i];
-    const double moment = 0.4 * inertia * stones.radius[i] * stones.radius[i];
-    Vec3d& v = stones.velocity[i];
-    Vec3d& w = stones.spin[i];
-    v = v * kept + stones.load[i].force * (kick / inertia);
-    w = w * kept + stones.load[i].torque * (kick / moment);
-    stones.load[i] = weight(stones, i, gravity);
-    stones.position[i] += v * dt;
-    const Vec3d moved = stones.position[i] - leash[i].from;
-    const double distance = dot(moved, moved);
-    finite = finite && std::isfinite(distance + dot(w, w));
-    strayed = strayed || distance > leash[i].length * leash[i].length;
+#pragma omp parallel if (count > 64) reduction(|| : strayed) reduction(&& : finite)
+  {
+    Quad none = {};  // not a number once something was not finite
+#pragma omp for schedule(static) nowait
+    for (std::int64_t i = 0; i < count; ++i) {
+      const double inertia = stones.inertia[i];
+      const double moment = 0.4 * inertia * stones.radius[i] * stones.radius[i];
+      Load& load = stones.load[i];
+      const Quad v =
+          load_vector(stones.velocity[i]) * kept + load_vector(load.force) * (kick / inertia);
+      const Quad w =
+          load_vector(stones.spin[i]) * kept + load_vector(load.torque) * (kick / moment);
+      const Quad x = load_vector(stones.position[i]) + v * dt;
+      store_vector(v, stones.velocity[i]);
+      store_vector(w, stones.spin[i]);
+      store_vector(x, stones.position[i]);
+      set_to_weight(load, gravity * stones.mass[i]);
+      const Quad moved = x - load_vector(leash[i].from), square = moved * moved;
+      strayed |= square[0] + square[1] + square[2] > leash[i].length * leash[i].length;
+      none += (moved + w) * 0.0;
+    }
+    finite = none[0] + none[1] + none[2] == 0;
   }
   return {strayed, finite};
 }

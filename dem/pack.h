@@ -205,6 +205,10 @@ inline void store(Pack a, double* to) {
   __builtin_memcpy(to, &a, sizeof a);
 }
 
+inline void store(double a, double* to) {
+  *to = a;
+}
+
 // 1 / sqrt(a) of a in 1e-300 to 1e300, to the last bit or two: the processor's estimate y, 14 bits,
 // where it has one, times the series of (1 - miss)^(-1/2), miss = 1 - a y^2, whose first term left
 // out is below 2^-53. Much faster than a root and a division.

@@ -105,8 +105,8 @@ Extremes PairContacts<Law>::evaluate_blocks(ParticleStore& stones, double dt, do
     Tallies::Batch batch;
 #pragma omp for schedule(static)
     for (std::int64_t block = 0; block < tallies_.blocks(); ++block) {
-      const std::int64_t begin = block * Tallies::slots_per_block;
-      const std::int64_t end = std::min(slots_, begin + Tallies::slots_per_block);
+      const std::int64_t begin = block * tallies_.slots_per_block();
+      const std::int64_t end = std::min(slots_, begin + tallies_.slots_per_block());
       for (std::int64_t s = begin; s < end; s += Tallies::Batch::slots) {
         const int count = static_cast<int>(std::min<std::int64_t>(end - s, Tallies::Batch::slots));
         for (int k = 0; k < count; k += width<T>)
@@ -195,7 +195,7 @@ template <class T, bool check>
   T crush = zero;
   if constexpr (Law::breaks)
     crush = select(alive, response.stone / (contact.stone_radius * contact.stone_radius), zero);
-  batch.put<T>(in_batch, force, moment * pair.arm_i, moment * pair.arm_j, crush);
+  batch.put<T>(in_batch, force, moment, pair.arm_i, pair.arm_j, crush);
 
   if constexpr (check) {
     const std::int32_t *i = &first_[slot], *j = &second_[slot];

@@ -5,7 +5,7 @@
 
 namespace dem {
 
-ParticleStore make_stones(std::vector<Vec3d> position, std::vector<double> radius, double density,
+ParticleStore make_stones(const std::vector<Vec3d>& position, std::vector<double> radius, double density,
                           double shell, double inertia_scale) {
   const std::size_t count = position.size();
   ParticleStore stones;
@@ -16,7 +16,7 @@ ParticleStore make_stones(std::vector<Vec3d> position, std::vector<double> radiu
   for (double r : radius) stones.mass.push_back(density * 4.0 / 3.0 * std::numbers::pi * r * r * r);
   for (double m : stones.mass) stones.inertia.push_back(inertia_scale * m);
   stones.radius = std::move(radius);
-  stones.position = std::move(position);
+  stones.position.assign(position.begin(), position.end());
   stones.velocity.assign(count, Vec3d{});
   stones.spin.assign(count, Vec3d{});
   stones.load.assign(count, Load{});

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "dem/vec3.h"
+#include "dem/vectors.h"
 
 namespace dem {
 
@@ -30,9 +30,9 @@ struct ParticleStore {
   std::vector<double> strength;  // Weibull strength [Pa]; empty when stones do not break
 
   // Written by the integrator.
-  std::vector<Vec3d> position;  // [m]
-  std::vector<Vec3d> velocity;  // [m/s]
-  std::vector<Vec3d> spin;      // angular velocity [rad/s]
+  Vectors position;  // [m]
+  Vectors velocity;  // [m/s]
+  Vectors spin;      // angular velocity [rad/s]
 
   // Set to the weight by the integrator, added to by the pair and the wall stage. Behind those of
   // the stones are parts of the pair stage (see tallies.h), empty between steps.
@@ -46,8 +46,8 @@ struct ParticleStore {
 };
 
 // Stones of density [kg/m3] at rest at the given places, with ids 0, 1, ...
-ParticleStore make_stones(std::vector<Vec3d> position, std::vector<double> radius, double density,
-                          double shell, double inertia_scale);
+ParticleStore make_stones(const std::vector<Vec3d>& position, std::vector<double> radius,
+                          double density, double shell, double inertia_scale);
 
 // The same stones stored in another order: place k holds the stone that was at order[k].
 void reorder(ParticleStore& stones, const std::vector<std::uint32_t>& order);

@@ -11,7 +11,7 @@
 namespace dem {
 
 #if defined(__AVX512F__)
-// Lanes 0 to 2 and 4 to 6 of a register: a vector each.
+// Lanes 0 to 2 and 4 to 6 of a register: a vector each, in the other two what lies behind it.
 using TwoVectors = __m512d;
 
 // Of vectors 0 and 4, 1 and 5, 2 and 6, 3 and 7.
@@ -25,15 +25,15 @@ inline Vec3<Pack> lined_up(TwoVectors a, TwoVectors b, TwoVectors c, TwoVectors 
           Pack((Pack::Lanes)_mm512_permutex2var_pd(xz_ab, second, xz_cd))};
 }
 
-// A load that a mask ends touches nothing behind the mask.
 inline TwoVectors two_vectors(const double* low, const double* high) {
-  return _mm512_mask_loadu_pd(_mm512_maskz_loadu_pd(0x07, low), 0x70, high - 4);
+  const __m512d one = _mm512_castpd256_pd512(_mm256_loadu_pd(low));
+  return _mm512_insertf64x4(one, _mm256_loadu_pd(high), 1);
 }
 #endif
 
 // Lane k takes vectors[index[k]].
 template <class T>
-Vec3<T> gather(const std::vector<Vec3d>& vectors, const std::int32_t* index) {
+Vec3<T> gather(const Vectors& vectors, const std::int32_t* index) {
 #if defined(__AVX512F__)
   if constexpr (width<T> == lanes) {
     const auto two = [&](int k) {
@@ -48,8 +48,7 @@ Vec3<T> gather(const std::vector<Vec3d>& vectors, const std::int32_t* index) {
 
 // Lane k takes vectors[i[k]] - vectors[j[k]].
 template <class T>
-Vec3<T> gather_difference(const std::vector<Vec3d>& vectors, const std::int32_t* i,
-                          const std::int32_t* j) {
+Vec3<T> gather_difference(const Vectors& vectors, const std::int32_t* i, const std::int32_t* j) {
 #if defined(__AVX512F__)
   if constexpr (width<T> == lanes) {
     const auto two = [&](int k) {
@@ -102,12 +101,20 @@ inline void store_quad(Quad a, double* to) {
   __builtin_memcpy(to, &a, sizeof a);
 }
 
-// The torques of two parts of a load together, or with `breaks`, of the crush behind them, the
-// larger one.
+// A vector and what lies behind it, and back without that.
+inline Quad load_vector(const Vec3d& from) {
+  return load_quad(&from.x);
+}
+inline void store_vector(Quad a, Vec3d& to) {
+  to = {a[0], a[1], a[2]};
+}
+
+// A torque and the moment of a force at an arm together, or with `breaks`, of the crush behind
+// them, the larger one.
 template <bool breaks>
-Quad joined(Quad a, Quad b) {
-  Quad sum = a + b;
-  if constexpr (breaks) sum[3] = larger(a[3], b[3]);
+Quad joined(Quad torque, Quad moment, double arm = 1) {
+  Quad sum = torque + moment * arm;
+  if constexpr (breaks) sum[3] = larger(torque[3], moment[3]);
   return sum;
 }
 

@@ -29,10 +29,9 @@ struct CylinderInside {
 
   template <class T>
   Nearest<T> nearest(const Vec3<T>& x) const {
-    using std::sqrt;
-    const T r = sqrt(x.x * x.x + x.y * x.y);
-    const T inverse = T(-1.0) / larger(r, T(1e-300));
-    return {T(radius) - r, {x.x * inverse, x.y * inverse, T(0.0)}};
+    const T square = x.x * x.x + x.y * x.y;
+    const T inverse = reciprocal_root(larger(square, T(1e-300)));
+    return {T(radius) - square * inverse, {-x.x * inverse, -x.y * inverse, T(0.0)}};
   }
   double extent() const { return radius; }
 };

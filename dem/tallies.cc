@@ -6,12 +6,12 @@
 
 namespace dem {
 
-static_assert(Tallies::slots_per_block % lanes == 0);
-
 void Tallies::take(std::span<const std::int32_t> first, std::span<const std::int32_t> second,
                    ParticleStore& stones) {
   const std::int64_t slots = std::ssize(first);
-  blocks_ = (slots + slots_per_block - 1) / slots_per_block;
+  constexpr std::int64_t enough = 1024, shares = 8;  // even for two, four or eight threads
+  blocks_ = slots <= enough ? 1 : (slots - 1) / (shares * enough) * shares + shares;
+  slots_per_block_ = (slots / blocks_ + lanes) / lanes * lanes;
   first_.resize(slots);
   second_.resize(slots);
   std::vector<std::uint32_t> stone_of;                    // by part
@@ -28,8 +28,8 @@ void Tallies::take(std::span<const std::int32_t> first, std::span<const std::int
       block_of[stone] = block;
       return place_of[stone];
     };
-    const std::int64_t begin = (block - 1) * slots_per_block;
-    for (std::int64_t s = begin; s < std::min(slots, begin + slots_per_block); ++s) {
+    const std::int64_t begin = (block - 1) * slots_per_block_;
+    for (std::int64_t s = begin; s < std::min(slots, begin + slots_per_block_); ++s) {
       first_[s] = place(static_cast<std::uint32_t>(first[s]));
       second_[s] = place(static_cast<std::uint32_t>(second[s]));
     }

@@ -1,6 +1,7 @@
 // From forces of slots to loads of stones, with the same bits for any number of threads.
 //
-// Slots come in blocks of fixed size, each the work of one thread, that adds up slot after slot.
+// Slots come in blocks of equal size, whatever the number of threads, each the work of one thread,
+// that adds up slot after slot.
 // The first block that meets a stone adds to the stone's load itself, further blocks each to a part
 // of its load behind those of the stones; at last every stone adds up its parts in block order.
 #pragma once
@@ -19,14 +20,14 @@ namespace dem {
 
 class Tallies {
  public:
-  static constexpr std::int64_t slots_per_block = 1024;  // a multiple of the lanes
-
   // For slots between the stones first[s] and second[s]; their number is a multiple of the lanes.
   // Makes room for the parts in stones.load.
   void take(std::span<const std::int32_t> first, std::span<const std::int32_t> second,
             ParticleStore& stones);
 
   std::int64_t blocks() const { return blocks_; }
+  std::int64_t slots_per_block() const { return slots_per_block_; }  // a multiple of the lanes
+
   // The forces of a few slots, to be added to the tallies in one go: the processor sees far enough
   // ahead in such a plain loop not to wait for the sum before.
   class Batch {
@@ -34,19 +35,20 @@ class Tallies {
     static constexpr int slots = 64;
 
     // Of the T slots from number `at` of the batch on: the force on the first stone, its opposite
-    // on the second, the torques on both, and what either stone is crushed by.
+    // on the second, the moment that times its arm is the torque on either, and what either is
+    // crushed by.
     template <class T>
-    void put(int at, const Vec3<T>& force, const Vec3<T>& torque_i, const Vec3<T>& torque_j,
-             T crush);
+    void put(int at, const Vec3<T>& force, const Vec3<T>& moment, T arm_i, T arm_j, T crush);
 
     // What fills up the last eight behind `count` slots is without force.
     void end(int count) {
-      for (int k = count; k % lanes != 0; ++k) put<double>(k, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0);
+      for (int k = count; k % lanes != 0; ++k) put<double>(k, {0, 0, 0}, {0, 0, 0}, 0, 0, 0);
     }
 
    private:
     friend class Tallies;
-    alignas(64) std::array<Quad, slots> force_, torque_i_, torque_j_;
+    alignas(64) std::array<Quad, slots> force_, moment_;
+    alignas(64) std::array<double, slots> arm_i_, arm_j_;
   };
   // Adds a batch of `count` slots from `slot` on, slot after slot.
   template <bool breaks>
@@ -63,25 +65,20 @@ class Tallies {
  private:
   static constexpr std::int64_t stones_per_chunk = 512;
 
-  std::int64_t blocks_ = 0;
+  std::int64_t blocks_ = 0, slots_per_block_ = 0;
   std::vector<std::uint32_t> first_, second_;  // place of the load that each slot adds to
   Groups of_stone_;                            // the parts, by the stones
   std::vector<std::uint32_t> stone_;           // of each item of these
 };
 
 template <class T>
-void Tallies::Batch::put(int at, const Vec3<T>& force, const Vec3<T>& torque_i,
-                         const Vec3<T>& torque_j, T crush) {
-  if constexpr (width<T> == 1) {
-    at += quad_place(at % lanes) - at % lanes;
-    force_[at] = Quad{force.x, force.y, force.z, 0};
-    torque_i_[at] = Quad{torque_i.x, torque_i.y, torque_i.z, crush};
-    torque_j_[at] = Quad{torque_j.x, torque_j.y, torque_j.z, crush};
-  } else {
-    quads(force, T(0.0), &force_[at]);
-    quads(torque_i, crush, &torque_i_[at]);
-    quads(torque_j, crush, &torque_j_[at]);
-  }
+void Tallies::Batch::put(int at, const Vec3<T>& force, const Vec3<T>& moment, T arm_i, T arm_j,
+                         T crush) {
+  store(arm_i, &arm_i_[at]);
+  store(arm_j, &arm_j_[at]);
+  if constexpr (width<T> == 1) at += quad_place(at % lanes) - at % lanes;
+  quads(force, T(0.0), &force_[at]);
+  quads(moment, crush, &moment_[at]);
 }
 
 template <bool breaks>
@@ -94,10 +91,12 @@ void Tallies::add(std::int64_t slot, int count, const Batch& batch, std::vector<
       const int at = pack + quad_place(k);
       double* const i = &loads[first[pack + k]].force.x;
       store_quad(load_quad(i) + batch.force_[at], i);
-      store_quad(joined<breaks>(load_quad(i + 4), batch.torque_i_[at]), i + 4);
+      store_quad(joined<breaks>(load_quad(i + 4), batch.moment_[at], batch.arm_i_[pack + k]),
+                 i + 4);
       double* const j = &loads[second[pack + k]].force.x;
       store_quad(load_quad(j) - batch.force_[at], j);
-      store_quad(joined<breaks>(load_quad(j + 4), batch.torque_j_[at]), j + 4);
+      store_quad(joined<breaks>(load_quad(j + 4), batch.moment_[at], batch.arm_j_[pack + k]),
+                 j + 4);
     }
 }
 

@@ -1,5 +1,6 @@
 // The contacts of one wall. A stone touches a wall at most once, so that forces can be added to the
-// stones in any order of slots with the same bits; the wall's own sums run in slot order.
+// stones in any order of slots with the same bits; the wall's own sums run in slot order, within
+// chunks of slots first.
 #pragma once
 
 #include <algorithm>
@@ -81,7 +82,14 @@ class WallContacts {
   template <class T>
   Vec3<T> bend(const Wall& wall, const Vec3<T>& foot, const Vec3<T>& normal, Touch* touch,
                T& nearer) const;
-  void add_up(Wall& wall, double dt) const;
+  struct Sum {
+    Vec3d force, moment;  // on the wall, about its origin [N], [N m]
+    double push;          // [N]
+  };
+  Sum sum_of(const Wall& wall, std::int64_t begin, std::int64_t end) const;
+  void add_impulses(Wall& wall, double dt) const;
+
+  static constexpr std::int64_t slots_per_chunk = 64;  // a multiple of the lanes
 
   std::vector<Touch> touches_;  // written by evaluate_at
   std::int64_t slots_ = 0;
@@ -118,18 +126,31 @@ template <class T>
 Extremes WallContacts<Law>::evaluate(ParticleStore& particles, Wall& wall, double dt,
                                      double horizon) {
   Extremes found;
-#pragma omp parallel if (slots_ > 64)
+  std::vector<Sum> sums((slots_ + slots_per_chunk - 1) / slots_per_chunk);
+#pragma omp parallel if (sums.size() > 1)
   {
     Extremes mine;
 #pragma omp for schedule(static) nowait
-    for (std::int64_t s = 0; s < slots_; s += width<T>)
-      evaluate_at<T>(particles, wall, dt, horizon, s, mine);
+    for (std::int64_t chunk = 0; chunk < std::ssize(sums); ++chunk) {
+      const std::int64_t begin = chunk * slots_per_chunk;
+      const std::int64_t end = std::min(slots_, begin + slots_per_chunk);
+      for (std::int64_t s = begin; s < end; s += width<T>)
+        evaluate_at<T>(particles, wall, dt, horizon, s, mine);
+      sums[chunk] = sum_of(wall, begin, end);
+    }
     if (horizon > 0) {
 #pragma omp critical
       found.merge(mine);
     }
   }
-  add_up(wall, dt);
+  wall.force = wall.moment = Vec3d{0, 0, 0};
+  wall.push = 0;
+  for (const Sum& sum : sums) {
+    wall.force += sum.force;
+    wall.moment += sum.moment;
+    wall.push += sum.push;
+  }
+  if (wall.field) add_impulses(wall, dt);
   return found;
 }
 
@@ -267,16 +288,24 @@ double WallContacts<Law>::bending_power(const Wall& wall) const {
 }
 
 template <ContactLaw Law>
-void WallContacts<Law>::add_up(Wall& wall, double dt) const {
-  wall.force = wall.moment = Vec3d{0, 0, 0};
-  wall.push = 0;
-  for (std::int64_t s = 0; s < slots_; ++s) {
+typename WallContacts<Law>::Sum WallContacts<Law>::sum_of(const Wall& wall, std::int64_t begin,
+                                                          std::int64_t end) const {
+  Sum sum = {};
+  for (std::int64_t s = begin; s < end; ++s) {
     const Touch& touch = touches_[s];
     const Vec3d on_wall = -touch.action.force;
-    wall.force += on_wall;
-    wall.moment += cross(touch.point - wall.frame.origin, on_wall);
-    wall.push += touch.push;
-    if (wall.field) wall.field->add_impulse(touch.stencil, wall.frame.to_frame(on_wall) * dt);
+    sum.force += on_wall;
+    sum.moment += cross(touch.point - wall.frame.origin, on_wall);
+    sum.push += touch.push;
+  }
+  return sum;
+}
+
+template <ContactLaw Law>
+void WallContacts<Law>::add_impulses(Wall& wall, double dt) const {
+  for (std::int64_t s = 0; s < slots_; ++s) {
+    const Touch& touch = touches_[s];
+    wall.field->add_impulse(touch.stencil, wall.frame.to_frame(-touch.action.force) * dt);
   }
 }
 

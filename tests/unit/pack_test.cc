@@ -174,7 +174,7 @@ TEST(pack, reciprocal_roots_are_right_to_the_last_bits) {
 
 TEST(records, vectors_and_loads_keep_their_numbers) {
   // By definition: lane k is record k.
-  std::vector<Vec3d> vectors;
+  Vectors vectors;
   for (int k = 0; k < 20; ++k) vectors.push_back({1.0 * k, 100.0 + k, 200.0 + k});
   const std::array<std::int32_t, lanes> index = {19, 0, 7, 7, 3, 11, 18, 1};
   const Vec3<Pack> found = gather<Pack>(vectors, index.data());
