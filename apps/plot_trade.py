@@ -9,6 +9,8 @@ import pathlib
 import h5py
 import matplotlib.pyplot as plt
 import numpy
+from matplotlib.text import Text
+from matplotlib.transforms import Bbox
 
 from plots.style import BLUE, GREY, INK, RED, STYLE
 
@@ -35,17 +37,36 @@ def front(settings):
     return kept
 
 
+def name_points(axes, settings):
+    """Names beside the points, higher up on a thread where another name is in the way."""
+    renderer = axes.figure.canvas.get_renderer()
+    points = axes.transData.transform([(s.seconds, 100 * s.worst) for s in settings])
+    taken = [Bbox([point - 4, point + 4]) for point in points]
+
+    def box_of(name):
+        name.update_positions(renderer)
+        return Text.get_window_extent(name, renderer)
+
+    for s in sorted(settings, key=lambda s: (s.worst, s.seconds)):
+        name = axes.annotate(s.name, (s.seconds, 100 * s.worst), xytext=(6, 3),
+                             textcoords="offset points", fontsize=8, color=INK,
+                             arrowprops={"arrowstyle": "-", "color": GREY, "linewidth": 0.5})
+        while any(box_of(name).overlaps(other) for other in taken):
+            name.xyann = (name.xyann[0] + 1, name.xyann[1] + 4)
+        taken.append(box_of(name))
+
+
 def draw_front(axes, settings):
     for s in settings:
         axes.plot(s.seconds, 100 * s.worst, "o", color=RED if s.beyond else BLUE,
                   fillstyle="full" if s.beyond else "none")
-        axes.annotate(s.name, (s.seconds, 100 * s.worst), xytext=(5, 4),
-                      textcoords="offset points", fontsize=8, color=INK)
     line = front(settings)
     axes.step([s.seconds for s in line], [100 * s.worst for s in line], where="post", color=GREY,
               linewidth=1, zorder=0)
     axes.set(xscale="log", yscale="log", xlabel="processor time [s]",
              ylabel="worst error beyond noise [%]", title="What time buys")
+    axes.margins(x=0.25)
+    axes.set_xlim(right=2.5 * axes.get_xlim()[1])
 
 
 def draw_errors(axes, settings):
@@ -77,6 +98,9 @@ def main():
                                              width_ratios=(2, 3))
         draw_front(left, settings)
         draw_errors(right, settings)
+        figure.draw_without_rendering()  # lays out, so that names can be measured
+        figure.set_layout_engine("none")
+        name_points(left, settings)
         for ending in ("png", "svg"):
             figure.savefig(folder / f"trade.{ending}", dpi=110)
     print(folder / "trade.png")
