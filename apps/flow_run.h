@@ -223,7 +223,7 @@ void FlowRun<Law>::press(Recorder& recorder, Progress& progress, const Pulse& pu
       step();
       pulse();
     }
-    next_row_ += scene_.output.history_interval;
+    while (next_row_ <= bed_.time()) next_row_ += scene_.output.history_interval;
     record(recorder);
     if (bed_.time() >= end) break;
     if (scene_.output.picture_interval > 0 && bed_.time() >= next_picture_) {

@@ -286,7 +286,7 @@ void GyratoryRun<Law>::compact(Recorder& recorder, GyratoryPictures& pictures, P
       step();
       pulse();
     }
-    next_row_ += scene_.output.history_interval;
+    while (next_row_ <= bed_.time()) next_row_ += scene_.output.history_interval;
     record(recorder);
     if (bed_.time() >= end) break;
     if (bed_.time() >= next_picture_) {

@@ -16,7 +16,7 @@ Section describe(NumericsScene& numerics) {
         "inertia / true inertia; the weight is never scaled", "Thornton, Antony (1998)"},
        {&numerics.selective_mass, "selective_mass", pure, unbounded,
         "true: mass_scale is that of the stone that needs most for its time step, the others get "
-        "what they need for the same",
+        "what they need for the same once the bed lies",
         ours},
        {&numerics.safety, "safety", pure, above_zero_to(1),
         "time step / sqrt(m / k) of the stiffest contact", "O'Sullivan, Bray (2004), near 0.17"},

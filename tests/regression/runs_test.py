@@ -141,6 +141,17 @@ class Runs(SmallRuns):
         self.assertEqual(whole["bed_height_m"], less["bed_height_m"])
         self.assertNotEqual(uniform["pressure"].tobytes(), selective["pressure"].tobytes())
 
+    def test_rows_closer_than_steps_are_left_out(self):
+        # By definition: a row tells of the steps since the one before, of which there must be one.
+        often = ["output.history_interval=1e-9 s"]
+        flow = FLOW + ["flow.displacement=0.02 mm"]
+        gyration = RIGID + SMALL + ["gyration.ramp=0.005 s", "gyration.dwell=0 s",
+                                    "gyration.count=0.005"]
+        for program, overrides in (("flow_test", flow), ("gyratory", gyration)):
+            history, _ = self.run_scene(program, program, overrides + often)
+            self.assertGreater(len(history["time"]), 100)
+            self.assertGreater(np.min(np.diff(history["time"])), 0)
+
     def test_mistakes_end_with_status_2_and_nothing_written(self):
         folder = self.folder("never")
         for program, scene, override in (
