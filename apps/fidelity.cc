@@ -7,7 +7,7 @@ void take_fidelity(const std::string& fidelity, NumericsScene& numerics) {
   if (fidelity == "draft") {
     numerics.safety = 0.4;
   } else if (fidelity == "reference") {
-    numerics.mass_scale = 2e3;
+    numerics.mass_scale = 100;
     numerics.safety = 0.1;
     numerics.exchange_interval = 5;
   }
