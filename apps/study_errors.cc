@@ -20,6 +20,24 @@ double at(const std::vector<double>& abscissa, const std::vector<double>& values
   return values[k - 1] + part * (values[k] - values[k - 1]);
 }
 
+// By least squares; none of fewer than two points.
+std::vector<double> slope_per_decade(const std::vector<double>& abscissa,
+                                     const std::vector<double>& values) {
+  constexpr double from = 0.5;
+  double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+  for (std::size_t k = 0; k < abscissa.size(); ++k) {
+    if (abscissa[k] <= from) continue;
+    const double decades = std::log10(abscissa[k]);
+    n += 1;
+    x += decades;
+    y += values[k];
+    xx += decades * decades;
+    xy += decades * values[k];
+  }
+  if (n < 2) return {};
+  return {(n * xy - x * y) / (n * xx - x * x)};
+}
+
 std::vector<double> points_of(const Quantity& quantity, const std::vector<double>& abscissa,
                               const std::vector<double>& values) {
   switch (quantity.take) {
@@ -32,6 +50,8 @@ std::vector<double> points_of(const Quantity& quantity, const std::vector<double
     case Quantity::mean:
       return {std::accumulate(values.begin(), values.end(), 0.0) /
               static_cast<double>(values.size())};
+    case Quantity::per_decade:
+      return slope_per_decade(abscissa, values);
     case Quantity::curve:
       break;
   }
@@ -70,6 +90,7 @@ Interest interest_of(const std::string& program) {
              {"coordination", "coordination", last, 1}}};
   return {"gyration",
           {{"air-void decrease, curve", "air_voids_decrease", curve, percent},
+           {"air-void decrease per decade", "air_voids_decrease", per_decade, percent},
            {"air voids, end", "air_voids", last, percent},
            {"height, end", "height", last, millimetre},
            {"internal angle", "internal_angle", mean, percent},
@@ -112,7 +133,8 @@ Judgement judge(const std::vector<std::vector<double>>& setting,
   }
   const double size = std::max(rms(expected), least_size);
   const double both = std::sqrt(1 / seeds + 1 / static_cast<double>(setting.size()));
-  return {rms(difference) / size, 2 * both * rms(deviation) / size, true};
+  const int sign = expected.size() > 1 ? 0 : difference.front() < 0 ? -1 : 1;
+  return {rms(difference) / size, sign, 2 * both * rms(deviation) / size, true};
 }
 
 }  // namespace apps

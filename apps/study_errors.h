@@ -15,7 +15,8 @@ namespace apps {
 struct Quantity {
   std::string name;    // "mould traction, peak"
   std::string column;  // of the history
-  enum Take { last, mean, largest, smallest, curve } take;
+  // per_decade: slope over the logarithm of the abscissa beyond its first half unit.
+  enum Take { last, mean, largest, smallest, curve, per_decade } take;
   double least_size;  // below it differences are told in its parts [unit of the column]
 };
 
@@ -34,6 +35,7 @@ Found read_found(const std::string& results, const Interest& interest);
 
 struct Judgement {
   double error = 0;    // [-]
+  int sign = 0;        // of the difference where it is of one number: 1 or -1
   double noise = 0;    // [-]
   bool known = false;  // false: a run lacks the quantity, or too few seeds are finished
   bool beyond() const { return known && error > noise; }

@@ -27,6 +27,11 @@ std::string percent(double share) {
                         : fmt::format("{:.0f} %", 100 * share);
 }
 
+std::string told(const Judgement& j) {
+  const std::string error = (j.sign < 0 ? "-" : j.sign > 0 ? "+" : "") + percent(j.error);
+  return j.beyond() ? "**" + error + "**" : error;
+}
+
 }  // namespace
 
 double StudyReport::Row::mean_seconds() const {
@@ -84,7 +89,7 @@ std::string StudyReport::line(const Row& row) const {
     else if (&row == &reference())
       line += fmt::format("±{} | ", percent(j.noise));
     else
-      line += j.beyond() ? "**" + percent(j.error) + "** | " : percent(j.error) + " | ";
+      line += told(j) + " | ";
   }
   if (!row.trouble.empty())
     line += fmt::format("{} of {} runs stopped: {}", row.trouble.size(), study_.seeds.size(),
@@ -92,11 +97,26 @@ std::string StudyReport::line(const Row& row) const {
   return line + "\n";
 }
 
+std::string StudyReport::line_of_means(const Row& row) const {
+  std::string line = "| its means | | | | ";
+  for (std::size_t q = 0; q < interest_.quantities.size(); ++q) {
+    double sum = 0;
+    bool number = true;
+    for (const Found& found : row.found) {
+      number &= found[q].size() == 1;
+      if (number) sum += found[q].front();
+    }
+    const auto runs = static_cast<double>(row.found.size());
+    line += number ? fmt::format("{:.3g} | ", sum / runs) : " | ";
+  }
+  return line + "\n";
+}
+
 std::string StudyReport::table() const {
   std::string text = fmt::format(
       "Errors against `{}`, seeds {}. Its own line shows the noise: what two means over the seeds "
-      "differ by if only chance tells them apart. Errors beyond it are bold; the others are "
-      "none.\n\n",
+      "differ by if only chance tells them apart; below it stand its means in SI units. Errors "
+      "beyond the noise are bold; the others are none.\n\n",
       study_.reference, fmt::join(study_.seeds, ", "));
   text += "| setting | CPU s | steps | times faster |";
   std::string rule = "\n| --- | ---: | ---: | ---: |";
@@ -105,7 +125,10 @@ std::string StudyReport::table() const {
     rule += " ---: |";
   }
   text += rule + '\n';
-  for (const Row& row : rows_) text += line(row);
+  for (const Row& row : rows_) {
+    text += line(row);
+    if (&row == &reference() && !row.found.empty()) text += line_of_means(row);
+  }
   return text;
 }
 

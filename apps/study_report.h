@@ -35,6 +35,7 @@ class StudyReport {
 
   const Row& reference() const;
   std::string line(const Row& row) const;
+  std::string line_of_means(const Row& row) const;
 
   const Study& study_;
   Interest interest_;

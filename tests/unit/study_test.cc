@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "apps/study_errors.h"
+#include "tests/unit/recorder_fixture.h"
 #include "tests/unit/written_file.h"
 
 namespace apps {
@@ -83,7 +84,9 @@ TEST(study_errors, are_differences_of_means_over_the_size_of_the_reference) {
   EXPECT_TRUE(j.known);
   EXPECT_NEAR(j.error, 0.2, 1e-15);
   EXPECT_NEAR(j.noise, 2 * std::sqrt(2.0) / 10, 1e-15);
+  EXPECT_EQ(j.sign, 1);
   EXPECT_FALSE(j.beyond());
+  EXPECT_EQ(judge({{6}}, {{9}, {11}}, 0).sign, -1);
   EXPECT_TRUE(judge({{14}, {14}}, {{9}, {11}}, 0).beyond());
 }
 
@@ -92,6 +95,7 @@ TEST(study_errors, of_curves_are_rms_over_their_points) {
   const Judgement j = judge({{8, 9}}, {{5, 5}, {5, 5}}, 0);
   EXPECT_NEAR(j.error, std::sqrt(12.5) / 5, 1e-15);
   EXPECT_EQ(j.noise, 0);
+  EXPECT_EQ(j.sign, 0);
   EXPECT_TRUE(j.beyond());
 }
 
@@ -104,6 +108,23 @@ TEST(study_errors, are_unknown_without_scatter_or_result) {
   EXPECT_FALSE(judge({{1}}, {{1}}, 0).known);
   EXPECT_FALSE(judge({}, {{1}, {2}}, 0).known);
   EXPECT_FALSE(judge({{}}, {{1}, {2}}, 0).known);
+}
+
+class StudyResults : public tests::RecorderTest {};
+
+TEST_F(StudyResults, have_the_slope_over_a_logarithm_beyond_the_first_half_unit) {
+  // By construction: 3 per decade beyond 0.5, something else before.
+  const Interest interest = {"gyration", {{"slope", "density", Quantity::per_decade, 1}}};
+  Recorder recorder(file(), tests::provenance(), {{"gyration", "1"}, {"density", "1"}});
+  for (int k = 0; k < 40; ++k) {
+    const double gyration = 0.1 * k;
+    recorder.append({{gyration, gyration > 0.5 ? 7 + 3 * std::log10(gyration) : -100}});
+  }
+  recorder.flush();
+  const Found found = read_found(file(), interest);
+  ASSERT_EQ(found.size(), 1u);
+  ASSERT_EQ(found[0].size(), 1u);
+  EXPECT_NEAR(found[0][0], 3, 1e-9);
 }
 
 }  // namespace
