@@ -5,8 +5,8 @@
 
 namespace dem {
 
-ParticleStore make_stones(const std::vector<Vec3d>& position, std::vector<double> radius, double density,
-                          double shell, double inertia_scale) {
+ParticleStore make_stones(const std::vector<Vec3d>& position, std::vector<double> radius,
+                          double density, double shell, double inertia_scale) {
   const std::size_t count = position.size();
   ParticleStore stones;
   stones.shell = shell;
