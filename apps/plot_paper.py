@@ -121,7 +121,8 @@ def rows(gyratory, flow):
     yield ("(published) 6 to 8 %Gmm per decade of gyrations",
            f"{slope[0]:.2g} (+-{slope[1]:.1g}) over gyrations 0.5 to 2",
            "agrees" if 6 <= slope[0] <= 8 else "against",
-           "the model's binder never relaxes wholly; few gyrations; range from memory")
+           "half of it is lost to scaled inertia ([trade.md](trade.md)); the binder "
+           "never relaxes wholly; few gyrations; range from memory")
 
 
 def steel_rows(study, rigid):
