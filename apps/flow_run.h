@@ -135,13 +135,13 @@ void FlowRun<Law>::lower_strip() {
   started_at_ = bed_.time();
   watch_.end_settling();
   bed_height_ = dem::mean_of_highest(bed_.stones(), highest_points);
-  next_row_ = started_at_ + scene_.output.history_interval;
+  next_row_ = row_after(started_at_, scene_.output.history_interval, started_at_);
   next_picture_ = started_at_ + scene_.output.picture_interval;
   mount_strip();
 }
 
-// Puts the strip on the highest stone below it; from now on shells bond and inertia is what scenes
-// want.
+// Puts the strip on the highest stone below it; from now on shells bond and
+// inertia may be selected.
 template <class Law>
 void FlowRun<Law>::mount_strip() {
   const FlowScene& flow = scene_.flow;
@@ -223,7 +223,7 @@ void FlowRun<Law>::press(Recorder& recorder, Progress& progress, const Pulse& pu
       step();
       pulse();
     }
-    while (next_row_ <= bed_.time()) next_row_ += scene_.output.history_interval;
+    next_row_ = row_after(next_row_, scene_.output.history_interval, bed_.time());
     record(recorder);
     if (bed_.time() >= end) break;
     if (scene_.output.picture_interval > 0 && bed_.time() >= next_picture_) {

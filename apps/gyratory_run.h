@@ -134,7 +134,7 @@ void GyratoryRun<Law>::close() {
   settled_steps_ = bed_.steps();
   watch_.end_settling();
   settled_height_ = dem::mean_of_highest(bed_.stones(), highest_points);
-  next_row_ = closed_at_ + scene_.output.history_interval;
+  next_row_ = row_after(closed_at_, scene_.output.history_interval, closed_at_);
   next_picture_ = picture_after(closed_at_);
   plate_start_ = height_of_plate();
   mount_head();
@@ -168,7 +168,7 @@ dem::Ram GyratoryRun<Law>::ram() const {
           gyration.approach_speed};
 }
 
-// Puts the inclined head on the bed; from now on shells bond and inertia is what scenes want.
+// Puts the inclined head on the bed; from now on shells bond and inertia may be selected.
 template <class Law>
 void GyratoryRun<Law>::mount_head() {
   const TimeBudget::Phase before = watch_.budget.enter(TimeBudget::steel_setup);
@@ -286,7 +286,7 @@ void GyratoryRun<Law>::compact(Recorder& recorder, GyratoryPictures& pictures, P
       step();
       pulse();
     }
-    while (next_row_ <= bed_.time()) next_row_ += scene_.output.history_interval;
+    next_row_ = row_after(next_row_, scene_.output.history_interval, bed_.time());
     record(recorder);
     if (bed_.time() >= end) break;
     if (bed_.time() >= next_picture_) {

@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -17,6 +19,12 @@
 #include "apps/time_budget.h"
 
 namespace apps {
+
+// When a row of a history is due after the one that was due before: an interval later, but not
+// before another step [s].
+inline double row_after(double due, double interval, double now) {
+  return std::max(due + interval, std::nextafter(now, std::numeric_limits<double>::infinity()));
+}
 
 template <class Law>
 class RunWatch {
