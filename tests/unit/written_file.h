@@ -13,7 +13,7 @@ namespace tests {
 class WrittenFiles {
  public:
   WrittenFiles() {
-    std::string name = (std::filesystem::temp_directory_path() / "gyratory-XXXXXX").string();
+    std::string name = std::filesystem::temp_directory_path() / ("gyratory-" + std::string(6, 'X'));
     if (!mkdtemp(name.data())) throw std::runtime_error("no folder for the files of a test");
     folder_ = name;
   }
