@@ -2,8 +2,8 @@
 """Holds the paper against its study: plot_paper.py GYRATORY_DIR FLOW_DIR [--full DIR] [--out DIR]
 
 Takes what trade left of apps/scenes/studies/paper_gyratory.toml, paper_flow.toml and, with --full,
-paper_gyratory_5000.toml, draws the figures of Olsson, Jelagin & Partl anew (paper.png: 3a, 3b, 4a, 4b) and writes every statement of
-theirs with what is found (paper.md)."""
+paper_gyratory_5000.toml, draws the figures of Olsson, Jelagin & Partl anew (paper.png: 3a, 3b, 4a,
+4b) and writes every statement of theirs with what is found (paper.md)."""
 import argparse
 import json
 import pathlib
