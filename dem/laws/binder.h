@@ -66,14 +66,19 @@ struct Binder {
     }
   }
 
+  // pi R0 h of h = root |root|, 0 without overlap [m2].
+  template <class T>
+  static T film_area(const Contact<T>& contact, T root) {
+    return T(std::numbers::pi) * contact.outer_radius * larger(root * magnitude(root), T(0.0));
+  }
+
   template <class T>
   Response<T> operator()(const Contact<T>& contact, Memory<T>& memory) const {
-    using std::sqrt;
     const T zero(0.0), tiny(1e-300);
     const T h = contact.overlap;
     const auto pulled = h <= zero;
     const auto strange = pulled & (memory.bonded <= T(0.5));  // not pressed, now or before
-    const T size = sqrt(magnitude(h));
+    const T size = fast_root(magnitude(h));
     const T root = select(pulled, -size, size);
     const T old = memory.root;
     const T rise = root * root * root - old * old * old;
@@ -83,15 +88,14 @@ struct Binder {
       memory.push[i] = T(decay[i]) * memory.push[i] + T(growth[i]) * rise;
       sum += T(weight[i]) * memory.push[i];
     }
-    const T factor = T(normal_factor * modulus) * sqrt(contact.outer_radius);
+    const T factor = T(normal_factor * modulus) * fast_root(contact.outer_radius);
     const T limit = -bond.pull_off(contact.outer_radius);
     const T elastic = factor * sum;
     const auto parted = strange | (pulled & (elastic <= limit));
     const T push = select(parted, zero, larger(elastic, limit));
 
-    const T area = T(std::numbers::pi) * contact.outer_radius * larger(h, zero);
-    const T old_area =
-        T(std::numbers::pi) * contact.outer_radius * larger(old * magnitude(old), zero);
+    // Both areas of what is remembered, so that none shrinks that does not.
+    const T area = film_area(contact, root), old_area = film_area(contact, old);
     const T kept = smaller(area / larger(old_area, tiny), T(1.0));
     const Vec3<T> slid = contact.sliding * area;
     memory.film = carried(memory.film, contact) * kept + slid;
@@ -102,19 +106,19 @@ struct Binder {
       shear += memory.shear[i] * T(weight[i]);
     }
     shear = shear * T(-modulus / film);
-    const T pull = sqrt(dot(shear, shear));
-    // A friction that is never overcome holds a film without push, too: 1e308 x 1e-300.
-    const T hold = T(friction) * larger(push, tiny);
-    const T stick = select(pull > hold, hold / larger(pull, tiny), T(1.0));
-    shear = shear * stick;
-    memory.film = memory.film * stick;
-    for (Vec3<T>& transient : memory.shear) transient = transient * stick;
+    if (friction < std::numeric_limits<double>::max()) {
+      const T hold = T(friction) * larger(push, zero);
+      const T stick = smaller(hold * reciprocal_root(larger(dot(shear, shear), tiny)), T(1.0));
+      shear = shear * stick;
+      memory.film = memory.film * stick;
+      for (Vec3<T>& transient : memory.shear) transient = transient * stick;
+    }
 
     memory.root = root;
     memory.bonded = T(1.0);
     forget<T>(parted, memory);
     const T ahead = larger(overlap_ahead(contact), select(strange, zero, size * size));
-    const T stiffness = larger(T(1.5) * factor * sqrt(ahead),
+    const T stiffness = larger(T(1.5) * factor * fast_root(ahead),
                                T(modulus / film * std::numbers::pi) * contact.outer_radius * ahead);
     return {push, zero, select(parted, Vec3<T>{zero, zero, zero}, shear), stiffness};
   }

@@ -13,7 +13,6 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
 
 #include "dem/contact_energy.h"
 #include "dem/laws/binder.h"
@@ -42,10 +41,6 @@ inline double crept(double H, double transient) {
 template <int Terms>
 double normal_stiffness(const Binder<Terms>& law, const Contact<double>& contact) {
   return law.normal_factor * law.modulus * std::sqrt(contact.outer_radius);
-}
-
-inline double film_area(const Contact<double>& contact, double h) {
-  return std::numbers::pi * contact.outer_radius * larger(h, 0.0);
 }
 
 template <int Terms>
@@ -131,7 +126,7 @@ inline Lost film_lost(const FilmTerm& term, const Contact<double>& contact, cons
 
 template <int Terms>
 Stored stored(const Binder<Terms>& law, const Seen<Binder<Terms>>& seen) {
-  const double area = film_area(seen.contact, squeeze_of(seen.memory).h);
+  const double area = law.film_area(seen.contact, seen.memory.root);
   double sum = normal_energy(law, seen);
   if (area <= 0) return {.binder = sum};
   const double per_film = law.modulus / (2 * law.film * area);
@@ -145,8 +140,8 @@ template <int Terms>
 Lost lost(const Binder<Terms>& law, const Seen<Binder<Terms>>& before,
           const Seen<Binder<Terms>>& now) {
   Lost sum = normal_lost(law, before, now);
-  const FilmArea area = {film_area(now.contact, squeeze_of(before.memory).h),
-                         film_area(now.contact, squeeze_of(now.memory).h)};
+  const FilmArea area = {law.film_area(now.contact, before.memory.root),
+                         law.film_area(now.contact, now.memory.root)};
   if (area.before <= 0 && area.now <= 0) return sum;
   const double stiffness = law.modulus / law.film;
   sum += film_lost({stiffness * law.relaxed, 1, 1, before.memory.film, now.memory.film},
