@@ -39,6 +39,13 @@ struct Meeting {
   T arm_i, arm_j;  // from the centres to the middle of the overlap [m]
 };
 
+// Of the outer surfaces [m].
+template <class T>
+T overlap_of(const Couple<T>& couple, const Vec3<T>& apart) {
+  const T square = larger(dot(apart, apart), T(1e-300));
+  return couple.radius_i + couple.radius_j - square * reciprocal_root(square);
+}
+
 // After a step of dt [s]; leaves the softness to be filled in.
 template <class T>
 Meeting<T> meet(const Couple<T>& couple, const Passing<T>& passing, double dt) {
@@ -48,7 +55,7 @@ Meeting<T> meet(const Couple<T>& couple, const Passing<T>& passing, double dt) {
 
   Meeting<T> pair;
   Contact<T>& contact = pair.contact;
-  contact.overlap = couple.radius_i + couple.radius_j - square * inverse;
+  contact.overlap = overlap_of(couple, apart);
   contact.outer_radius = couple.outer_radius;
   contact.stone_radius = couple.stone_radius;
   contact.mass = couple.mass;

@@ -29,19 +29,9 @@ class PairContacts {
   Law law;
   ContactHistory<Law> history;
 
-  // Takes over a rebuilt list, old memories included.
-  void take(const NeighborList& list, ParticleStore& stones) {
-    const std::size_t slots = list.first.size();
-    const std::size_t padded = (slots + lanes - 1) / lanes * lanes;
-    history.carry(list.previous);
-    first_.assign(padded, 0);
-    second_.assign(padded, 0);
-    std::copy(list.first.begin(), list.first.end(), first_.begin());
-    std::copy(list.second.begin(), list.second.end(), second_.begin());
-    tallies_.take(first_, second_, stones);
-    slots_ = static_cast<std::int64_t>(slots);
-    couple(stones);
-  }
+  // Takes over a rebuilt list, old memories included. Every few slots, pairs that touch or live on
+  // come before those that do not, so that whole packs of the latter are passed over.
+  void take(const NeighborList& list, ParticleStore& stones);
 
   // Adds the forces of all contacts after a step of dt [s], 0 before the first, to the stones'
   // loads; with a horizon above 0 [s], finds the extreme contacts until then too.
@@ -69,11 +59,13 @@ class PairContacts {
     visit(in + "first", first_);
     visit(in + "second", second_);
     visit(in + "slots", slots_);
-    tallies_.take(first_, second_, stones);
-    couple(stones);
+    visit(in + "slot_of", slot_of_);
+    prepare(stones);
   }
 
  private:
+  bool lives(const NeighborList& list, std::int64_t pair, const ParticleStore& stones) const;
+  void prepare(ParticleStore& stones);
   void couple(const ParticleStore& stones);
   template <class T, bool check>
   Extremes evaluate_blocks(ParticleStore& stones, double dt, double horizon);
@@ -81,6 +73,8 @@ class PairContacts {
   void evaluate_at(const Law& law, const ParticleStore& stones, double dt, double horizon,
                    std::int64_t slot, Tallies::Batch& batch, int in_batch,
                    LaneExtremes<T>& extremes);
+  template <class T>
+  bool dozes(const ParticleStore& stones, std::int64_t slot) const;
   template <class T>
   Couple<T> couple_at(const ParticleStore& stones, std::int64_t slot) const;
   template <class T>
@@ -90,9 +84,59 @@ class PairContacts {
 
   std::vector<std::int32_t> first_, second_;
   Tallies tallies_;
+  std::vector<std::int32_t> slot_of_;  // of each pair of the list
   std::vector<Couple<Pack>> couples_;  // by block of slots
+  std::vector<std::int32_t> awake_;    // by block: 0 if no contact of it lived in the last step
   std::int64_t slots_ = 0;
 };
+
+template <ContactLaw Law>
+void PairContacts<Law>::take(const NeighborList& list, ParticleStore& stones) {
+  constexpr std::int64_t stretch = 256;  // pairs whose slots are sorted among themselves
+  slots_ = std::ssize(list.first);
+  first_.assign((slots_ + lanes - 1) / lanes * lanes, 0);
+  second_.assign(first_.size(), 0);
+  std::vector<std::int32_t> slot_of(slots_), previous(slots_);
+#pragma omp parallel for schedule(static)
+  for (std::int64_t begin = 0; begin < slots_; begin += stretch) {
+    const std::int64_t count = std::min(stretch, slots_ - begin);
+    std::array<bool, stretch> lively;
+    for (std::int64_t k = 0; k < count; ++k) lively[k] = lives(list, begin + k, stones);
+    std::int64_t next = begin;
+    for (const bool of : {true, false})
+      for (std::int64_t k = 0; k < count; ++k) {
+        if (lively[k] != of) continue;
+        const std::int64_t pair = begin + k;
+        const std::int32_t before = list.previous[pair];
+        first_[next] = static_cast<std::int32_t>(list.first[pair]);
+        second_[next] = static_cast<std::int32_t>(list.second[pair]);
+        previous[next] = before < 0 ? -1 : slot_of_[before];
+        slot_of[pair] = static_cast<std::int32_t>(next++);
+      }
+  }
+  slot_of_ = std::move(slot_of);
+  history.carry(previous);
+  prepare(stones);
+}
+
+// Does a pair of a rebuilt list touch, or hold on to a contact?
+template <ContactLaw Law>
+bool PairContacts<Law>::lives(const NeighborList& list, std::int64_t pair,
+                              const ParticleStore& stones) const {
+  const std::uint32_t i = list.first[pair], j = list.second[pair];
+  const Vec3d apart = stones.position[i] - stones.position[j];
+  const double reach = stones.outer_radius(i) + stones.outer_radius(j);
+  if (dot(apart, apart) < reach * reach) return true;
+  return list.previous[pair] >= 0 && history.holds(slot_of_[list.previous[pair]]);
+}
+
+// What follows from the stones of the slots.
+template <ContactLaw Law>
+void PairContacts<Law>::prepare(ParticleStore& stones) {
+  tallies_.take(first_, second_, stones);
+  couple(stones);
+  awake_.assign(couples_.size(), 1);
+}
 
 template <ContactLaw Law>
 template <class T, bool check>
@@ -109,8 +153,11 @@ Extremes PairContacts<Law>::evaluate_blocks(ParticleStore& stones, double dt, do
       const std::int64_t end = std::min(slots_, begin + tallies_.slots_per_block());
       for (std::int64_t s = begin; s < end; s += Tallies::Batch::slots) {
         const int count = static_cast<int>(std::min<std::int64_t>(end - s, Tallies::Batch::slots));
-        for (int k = 0; k < count; k += width<T>)
+        batch.clear();
+        for (int k = 0; k < count; k += width<T>) {
+          if (!check && dozes<T>(stones, s + k)) continue;
           evaluate_at<T, check>(mine, stones, dt, horizon, s + k, batch, k, extremes);
+        }
         batch.end(count);
         tallies_.template add<Law::breaks>(s, count, batch, stones.load);
       }
@@ -157,8 +204,7 @@ Couple<T> PairContacts<Law>::couple_at(const ParticleStore& stones, std::int64_t
 template <ContactLaw Law>
 template <class T>
 Passing<T> PairContacts<Law>::passing_at(const ParticleStore& stones, std::int64_t slot) const {
-  const std::int32_t* i = &first_[slot];
-  const std::int32_t* j = &second_[slot];
+  const std::int32_t *i = &first_[slot], *j = &second_[slot];
   return {gather_difference<T>(stones.position, i, j), gather_difference<T>(stones.velocity, i, j),
           gather<T>(stones.spin, i), gather<T>(stones.spin, j)};
 }
@@ -169,6 +215,15 @@ T PairContacts<Law>::softness_at(const ParticleStore& stones, std::int64_t slot)
   if constexpr (!Law::breaks) return T(1.0);
   return T(0.5) * (gather<T>(stones.softness.data(), &first_[slot], 1) +
                    gather<T>(stones.softness.data(), &second_[slot], 1));
+}
+
+// Is there nothing to do for a pack, which had no living contact in the last step?
+template <ContactLaw Law>
+template <class T>
+bool PairContacts<Law>::dozes(const ParticleStore& stones, std::int64_t slot) const {
+  if (width<T> == 1 || awake_[slot / lanes]) return false;
+  const Vec3<T> apart = gather_difference<T>(stones.position, &first_[slot], &second_[slot]);
+  return !any(overlap_of(couple_at<T>(stones, slot), apart) > T(0.0));
 }
 
 template <ContactLaw Law>
@@ -187,6 +242,10 @@ template <class T, bool check>
   const Response<T> response = law(contact, memory.value);
   forget<T>(!alive, memory.value);
   memory.keep(history, slot);
+  if constexpr (width<T> == lanes) {
+    std::int32_t& awake = awake_[slot / lanes];
+    if (awake != any(alive)) awake = any(alive);
+  }
 
   const T zero(0.0);
   const Vec3<T> none = {zero, zero, zero};
@@ -230,8 +289,9 @@ std::vector<SlotForce> PairContacts<Law>::forces(const ParticleStore& stones) co
 
 template <ContactLaw Law>
 std::size_t PairContacts<Law>::bytes() const {
-  return tallies_.bytes() + history.raw().size_bytes() + couples_.size() * sizeof(Couple<Pack>) +
-         (first_.size() + second_.size()) * sizeof(std::int32_t);
+  return tallies_.bytes() + history.raw().size_bytes() +
+         couples_.size() * (sizeof(Couple<Pack>) + sizeof(std::int32_t)) +
+         (first_.size() + second_.size() + slot_of_.size()) * sizeof(std::int32_t);
 }
 
 template <ContactLaw Law>

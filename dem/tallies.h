@@ -34,6 +34,8 @@ class Tallies {
    public:
     static constexpr int slots = 64;
 
+    void clear() { put_ = 0; }
+
     // Of the T slots from number `at` of the batch on: the force on the first stone, its opposite
     // on the second, the moment that times its arm is the torque on either, and what either is
     // crushed by.
@@ -42,11 +44,15 @@ class Tallies {
 
     // What fills up the last eight behind `count` slots is without force.
     void end(int count) {
+      if (!holds(count)) return;
       for (int k = count; k % lanes != 0; ++k) put<double>(k, {0, 0, 0}, {0, 0, 0}, 0, 0, 0);
     }
 
    private:
     friend class Tallies;
+    bool holds(int slot) const { return put_ >> slot / lanes & 1; }
+
+    std::uint32_t put_ = 0;  // a bit for every eight slots, of which all or none are put
     alignas(64) std::array<Quad, slots> force_, moment_;
     alignas(64) std::array<double, slots> arm_i_, arm_j_;
   };
@@ -74,6 +80,7 @@ class Tallies {
 template <class T>
 void Tallies::Batch::put(int at, const Vec3<T>& force, const Vec3<T>& moment, T arm_i, T arm_j,
                          T crush) {
+  put_ |= 1u << at / lanes;
   store(arm_i, &arm_i_[at]);
   store(arm_j, &arm_j_[at]);
   if constexpr (width<T> == 1) at += quad_place(at % lanes) - at % lanes;
@@ -86,7 +93,8 @@ void Tallies::add(std::int64_t slot, int count, const Batch& batch, std::vector<
   Load* const loads = load.data();
   const std::uint32_t* const first = &first_[slot];
   const std::uint32_t* const second = &second_[slot];
-  for (int pack = 0; pack < count; pack += lanes)
+  for (int pack = 0; pack < count; pack += lanes) {
+    if (!batch.holds(pack)) continue;
     for (int k = 0; k < lanes; ++k) {
       const int at = pack + quad_place(k);
       double* const i = &loads[first[pack + k]].force.x;
@@ -98,6 +106,7 @@ void Tallies::add(std::int64_t slot, int count, const Batch& batch, std::vector<
       store_quad(joined<breaks>(load_quad(j + 4), batch.moment_[at], batch.arm_j_[pack + k]),
                  j + 4);
     }
+  }
 }
 
 template <bool breaks>

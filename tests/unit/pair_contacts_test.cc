@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "dem/integrator.h"
@@ -143,6 +145,57 @@ ParticleStore pair_at(double overlap) {
   return make_stones({{0, 0, 0}, {0, 0, 5e-3 - overlap}}, {2e-3, 2e-3}, 2650, shell, 1);
 }
 
+TEST(pair_contacts, memories_follow_their_pairs_into_a_new_list) {
+  // By definition; and those that touch or hold on come first.
+  ParticleStore stones = cloud();
+  std::vector<double> outer(stones.size());
+  for (std::size_t k = 0; k < outer.size(); ++k) outer[k] = stones.outer_radius(k);
+  Pairs pairs;
+  pairs.law = asphalt();
+  NeighborList list;
+  std::map<std::pair<int, int>, Law::Memory<double>> known;
+  int followed = 0;
+  for (int n = 0; n < 4; ++n) {
+    list.build({stones.position, outer, stones.id}, 0.5e-3);
+    pairs.take(list, stones);
+    bool lively = true;
+    for (std::int64_t s = 0; s < pairs.slots(); ++s) {
+      const Law::Memory<double> memory = pairs.history.slot(s);
+      const auto before = known.find({pairs.first(s), pairs.second(s)});
+      const Law::Memory<double> old =
+          before == known.end() ? Law::Memory<double>{} : before->second;
+      EXPECT_EQ(__builtin_memcmp(&memory, &old, sizeof memory), 0);
+      followed += memory.b.bonded > 0;
+      const bool lives = pairs.touches(stones, s) || pairs.history.holds(s);
+      EXPECT_LE(lives, lively);
+      lively = lives;
+    }
+    EXPECT_FALSE(lively);
+    for (int step = 0; step < 5; ++step, drift(stones)) evaluated(pairs, stones);
+    known.clear();
+    for (std::int64_t s = 0; s < pairs.slots(); ++s)
+      known[{pairs.first(s), pairs.second(s)}] = pairs.history.slot(s);
+  }
+  EXPECT_GE(followed, 50);
+}
+
+TEST(pair_contacts, a_contact_ends_and_another_begins_anew) {
+  // By definition: nothing is felt between, and nothing remembered of the first.
+  Pairs pairs;
+  ParticleStore stones = pair_at(0.1e-3);
+  list_pairs(pairs, stones);
+  pairs.law.b.bond.energy = 0;
+  stones.velocity[1] = {1, 0, 0};
+  const Load first = evaluated(pairs, stones).load[0];
+  evaluated(pairs, stones);
+  stones.position[1].z = 5.4e-3;
+  for (int n = 0; n < 3; ++n) EXPECT_EQ(norm(evaluated(pairs, stones).load[0].force), 0);
+  stones.position[1].z = 4.9e-3;
+  const Load again = evaluated(pairs, stones).load[0];
+  EXPECT_GT(norm(again.force), 0);
+  EXPECT_EQ(__builtin_memcmp(&again, &first, sizeof again), 0);
+}
+
 TEST(pair_contacts, stones_that_only_come_near_feel_nothing) {
   // By definition, although such pairs are listed and evaluated.
   ParticleStore stones = pair_at(-0.1e-3);
@@ -159,19 +212,22 @@ TEST(pair_contacts, stones_that_only_come_near_feel_nothing) {
 
 TEST(pair_contacts, a_stretched_bond_pulls_although_the_shells_have_parted) {
   // Closed form: -8/3 sqrt(R0) G0 |h|^1.5 for a fast pull; relaxation in 1e-5 s takes 1e-4 of it.
-  ParticleStore stones = pair_at(0.1e-3);
+  ParticleStore stones = pair_at(-0.1e-3);
   Pairs pairs;
   list_pairs(pairs, stones);
-  pairs.evaluate(stones, dt);
+  evaluated(pairs, stones);
+  stones.position[1].z = 4.9e-3;
+  evaluated(pairs, stones);
   EXPECT_EQ(pairs.touching(stones), 1);
   EXPECT_EQ(pairs.held(), 1);
   stones.position[1].z = 5.1e-3;
-  pairs.evaluate(stones, dt);
+  const double felt = evaluated(pairs, stones).load[1].force.z;
   EXPECT_EQ(pairs.touching(stones), 0);
   EXPECT_EQ(pairs.held(), 1);
   const double towards_second = pairs.first(0) == 0 ? 1 : -1;
   const double pull = 8.0 / 3 * std::sqrt(1.25e-3) * 6.65e6 * std::pow(0.1e-3, 1.5);
   EXPECT_NEAR(pairs.forces(stones)[0].force.z * towards_second / pull, 1, 1e-4);
+  EXPECT_NEAR(-felt / pull, 1, 1e-4);
 }
 
 TEST(pair_contacts, rolling_without_slip_meets_no_resistance) {
