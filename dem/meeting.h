@@ -25,6 +25,12 @@ inline Couple<double> couple_of(const ParticleStore& stones, std::int32_t i, std
           stone_i * stone_j / (stone_i + stone_j), inertia_i * inertia_j / (inertia_i + inertia_j)};
 }
 
+// Do the outer surfaces overlap?
+inline bool touch(const ParticleStore& stones, std::int32_t i, std::int32_t j) {
+  return norm(stones.position[i] - stones.position[j]) <
+         stones.outer_radius(i) + stones.outer_radius(j);
+}
+
 // What changes in every step, of the first stone against the second or of both.
 template <class T>
 struct Passing {

@@ -16,6 +16,7 @@
 #include "dem/particle_store.h"
 #include "dem/records.h"
 #include "dem/slot_force.h"
+#include "dem/slots.h"
 #include "dem/tallies.h"
 
 namespace dem {
@@ -29,8 +30,7 @@ class PairContacts {
   Law law;
   ContactHistory<Law> history;
 
-  // Takes over a rebuilt list, old memories included. Every few slots, pairs that touch or live on
-  // come before those that do not, so that whole packs of the latter are passed over.
+  // Takes over a rebuilt list, old memories included.
   void take(const NeighborList& list, ParticleStore& stones);
 
   // Adds the forces of all contacts after a step of dt [s], 0 before the first, to the stones'
@@ -44,27 +44,25 @@ class PairContacts {
   // What evaluate() found at each slot, found once more: for those who look on.
   std::vector<SlotForce> forces(const ParticleStore& stones) const;
 
-  std::int64_t slots() const { return slots_; }
-  std::size_t bytes() const;                                           // of all arrays
-  bool touches(const ParticleStore& stones, std::int64_t slot) const;  // outer surfaces overlap
+  std::int64_t slots() const { return slots_.count(); }
+  std::size_t bytes() const;  // of all arrays
+  bool touches(const ParticleStore& stones, std::int64_t slot) const {
+    return touch(stones, first(slot), second(slot));
+  }
   std::int64_t touching(const ParticleStore& stones) const;
   std::int64_t held() const;  // slots whose contact would outlive a gap: bonds
-  std::int32_t first(std::int64_t slot) const { return first_[slot]; }
-  std::int32_t second(std::int64_t slot) const { return second_[slot]; }
+  std::int32_t first(std::int64_t slot) const { return slots_.first[slot]; }
+  std::int32_t second(std::int64_t slot) const { return slots_.second[slot]; }
 
   // See dem/state.h. What follows from the rest is made again.
   template <class Visit>
   void visit_state(Visit& visit, const std::string& in, ParticleStore& stones) {
     history.visit_state(visit, in);
-    visit(in + "first", first_);
-    visit(in + "second", second_);
-    visit(in + "slots", slots_);
-    visit(in + "slot_of", slot_of_);
+    slots_.visit_state(visit, in);
     prepare(stones);
   }
 
  private:
-  bool lives(const NeighborList& list, std::int64_t pair, const ParticleStore& stones) const;
   void prepare(ParticleStore& stones);
   void couple(const ParticleStore& stones);
   template <class T, bool check>
@@ -82,58 +80,24 @@ class PairContacts {
   template <class T>
   T softness_at(const ParticleStore& stones, std::int64_t slot) const;
 
-  std::vector<std::int32_t> first_, second_;
+  Slots slots_;
   Tallies tallies_;
-  std::vector<std::int32_t> slot_of_;  // of each pair of the list
   std::vector<Couple<Pack>> couples_;  // by block of slots
-  std::vector<std::int32_t> awake_;    // by block: 0 if no contact of it lived in the last step
-  std::int64_t slots_ = 0;
+  std::vector<std::int32_t> awake_;    // by block: 0 where none lived in the last step
 };
 
 template <ContactLaw Law>
 void PairContacts<Law>::take(const NeighborList& list, ParticleStore& stones) {
-  constexpr std::int64_t stretch = 256;  // pairs whose slots are sorted among themselves
-  slots_ = std::ssize(list.first);
-  first_.assign((slots_ + lanes - 1) / lanes * lanes, 0);
-  second_.assign(first_.size(), 0);
-  std::vector<std::int32_t> slot_of(slots_), previous(slots_);
-#pragma omp parallel for schedule(static)
-  for (std::int64_t begin = 0; begin < slots_; begin += stretch) {
-    const std::int64_t count = std::min(stretch, slots_ - begin);
-    std::array<bool, stretch> lively;
-    for (std::int64_t k = 0; k < count; ++k) lively[k] = lives(list, begin + k, stones);
-    std::int64_t next = begin;
-    for (const bool of : {true, false})
-      for (std::int64_t k = 0; k < count; ++k) {
-        if (lively[k] != of) continue;
-        const std::int64_t pair = begin + k;
-        const std::int32_t before = list.previous[pair];
-        first_[next] = static_cast<std::int32_t>(list.first[pair]);
-        second_[next] = static_cast<std::int32_t>(list.second[pair]);
-        previous[next] = before < 0 ? -1 : slot_of_[before];
-        slot_of[pair] = static_cast<std::int32_t>(next++);
-      }
-  }
-  slot_of_ = std::move(slot_of);
-  history.carry(previous);
+  history.carry(slots_.take(list, [&](std::int32_t i, std::int32_t j, std::int32_t before) {
+    return touch(stones, i, j) || (before >= 0 && history.holds(before));
+  }));
   prepare(stones);
-}
-
-// Does a pair of a rebuilt list touch, or hold on to a contact?
-template <ContactLaw Law>
-bool PairContacts<Law>::lives(const NeighborList& list, std::int64_t pair,
-                              const ParticleStore& stones) const {
-  const std::uint32_t i = list.first[pair], j = list.second[pair];
-  const Vec3d apart = stones.position[i] - stones.position[j];
-  const double reach = stones.outer_radius(i) + stones.outer_radius(j);
-  if (dot(apart, apart) < reach * reach) return true;
-  return list.previous[pair] >= 0 && history.holds(slot_of_[list.previous[pair]]);
 }
 
 // What follows from the stones of the slots.
 template <ContactLaw Law>
 void PairContacts<Law>::prepare(ParticleStore& stones) {
-  tallies_.take(first_, second_, stones);
+  tallies_.take(slots_.first, slots_.second, stones);
   couple(stones);
   awake_.assign(couples_.size(), 1);
 }
@@ -150,7 +114,7 @@ Extremes PairContacts<Law>::evaluate_blocks(ParticleStore& stones, double dt, do
 #pragma omp for schedule(static)
     for (std::int64_t block = 0; block < tallies_.blocks(); ++block) {
       const std::int64_t begin = block * tallies_.slots_per_block();
-      const std::int64_t end = std::min(slots_, begin + tallies_.slots_per_block());
+      const std::int64_t end = std::min(slots(), begin + tallies_.slots_per_block());
       for (std::int64_t s = begin; s < end; s += Tallies::Batch::slots) {
         const int count = static_cast<int>(std::min<std::int64_t>(end - s, Tallies::Batch::slots));
         batch.clear();
@@ -175,12 +139,13 @@ Extremes PairContacts<Law>::evaluate_blocks(ParticleStore& stones, double dt, do
 
 template <ContactLaw Law>
 void PairContacts<Law>::couple(const ParticleStore& stones) {
-  couples_.resize(first_.size() / lanes);
+  couples_.resize(slots_.first.size() / lanes);
 #pragma omp parallel for schedule(static) if (tallies_.blocks() > 1)
   for (std::int64_t b = 0; b < std::ssize(couples_); ++b) {
     Couple<Pack> block = {};
-    for (int k = 0; k < lanes && lanes * b + k < slots_; ++k) {
-      const Couple<double> of = couple_of(stones, first_[lanes * b + k], second_[lanes * b + k]);
+    for (int k = 0; k < lanes && lanes * b + k < slots(); ++k) {
+      const Couple<double> of =
+          couple_of(stones, slots_.first[lanes * b + k], slots_.second[lanes * b + k]);
       set_lane(block.radius_i, k, of.radius_i);
       set_lane(block.radius_j, k, of.radius_j);
       set_lane(block.outer_radius, k, of.outer_radius);
@@ -195,7 +160,7 @@ template <ContactLaw Law>
 template <class T>
 Couple<T> PairContacts<Law>::couple_at(const ParticleStore& stones, std::int64_t slot) const {
   if constexpr (width<T> == 1)
-    return couple_of(stones, first_[slot], second_[slot]);
+    return couple_of(stones, slots_.first[slot], slots_.second[slot]);
   else
     return couples_[slot / lanes];
 }
@@ -204,7 +169,7 @@ Couple<T> PairContacts<Law>::couple_at(const ParticleStore& stones, std::int64_t
 template <ContactLaw Law>
 template <class T>
 Passing<T> PairContacts<Law>::passing_at(const ParticleStore& stones, std::int64_t slot) const {
-  const std::int32_t *i = &first_[slot], *j = &second_[slot];
+  const std::int32_t *i = &slots_.first[slot], *j = &slots_.second[slot];
   return {gather_difference<T>(stones.position, i, j), gather_difference<T>(stones.velocity, i, j),
           gather<T>(stones.spin, i), gather<T>(stones.spin, j)};
 }
@@ -213,8 +178,8 @@ template <ContactLaw Law>
 template <class T>
 T PairContacts<Law>::softness_at(const ParticleStore& stones, std::int64_t slot) const {
   if constexpr (!Law::breaks) return T(1.0);
-  return T(0.5) * (gather<T>(stones.softness.data(), &first_[slot], 1) +
-                   gather<T>(stones.softness.data(), &second_[slot], 1));
+  return T(0.5) * (gather<T>(stones.softness.data(), &slots_.first[slot], 1) +
+                   gather<T>(stones.softness.data(), &slots_.second[slot], 1));
 }
 
 // Is there nothing to do for a pack, which had no living contact in the last step?
@@ -222,7 +187,8 @@ template <ContactLaw Law>
 template <class T>
 bool PairContacts<Law>::dozes(const ParticleStore& stones, std::int64_t slot) const {
   if (width<T> == 1 || awake_[slot / lanes]) return false;
-  const Vec3<T> apart = gather_difference<T>(stones.position, &first_[slot], &second_[slot]);
+  const Vec3<T> apart =
+      gather_difference<T>(stones.position, &slots_.first[slot], &slots_.second[slot]);
   return !any(overlap_of(couple_at<T>(stones, slot), apart) > T(0.0));
 }
 
@@ -257,7 +223,7 @@ template <class T, bool check>
   batch.put<T>(in_batch, force, moment, pair.arm_i, pair.arm_j, crush);
 
   if constexpr (check) {
-    const std::int32_t *i = &first_[slot], *j = &second_[slot];
+    const std::int32_t *i = &slots_.first[slot], *j = &slots_.second[slot];
     const T lighter =
         smaller(gather<T>(stones.inertia.data(), i, 1), gather<T>(stones.inertia.data(), j, 1));
     const T thinner =
@@ -271,8 +237,8 @@ template <ContactLaw Law>
 std::vector<SlotForce> PairContacts<Law>::forces(const ParticleStore& stones) const {
   Law still = law;
   still.set_time_step(0);
-  std::vector<SlotForce> forces(slots_, SlotForce{});
-  for (std::int64_t s = 0; s < slots_; ++s) {
+  std::vector<SlotForce> forces(slots(), SlotForce{});
+  for (std::int64_t s = 0; s < slots(); ++s) {
     Contact<double> contact =
         meet(couple_at<double>(stones, s), passing_at<double>(stones, s), 0).contact;
     contact.softness = softness_at<double>(stones, s);
@@ -289,29 +255,21 @@ std::vector<SlotForce> PairContacts<Law>::forces(const ParticleStore& stones) co
 
 template <ContactLaw Law>
 std::size_t PairContacts<Law>::bytes() const {
-  return tallies_.bytes() + history.raw().size_bytes() +
-         couples_.size() * (sizeof(Couple<Pack>) + sizeof(std::int32_t)) +
-         (first_.size() + second_.size() + slot_of_.size()) * sizeof(std::int32_t);
-}
-
-template <ContactLaw Law>
-bool PairContacts<Law>::touches(const ParticleStore& stones, std::int64_t slot) const {
-  const std::int32_t i = first_[slot], j = second_[slot];
-  return norm(stones.position[i] - stones.position[j]) <
-         stones.outer_radius(i) + stones.outer_radius(j);
+  return slots_.bytes() + tallies_.bytes() + history.raw().size_bytes() +
+         couples_.size() * (sizeof(Couple<Pack>) + sizeof(std::int32_t));
 }
 
 template <ContactLaw Law>
 std::int64_t PairContacts<Law>::touching(const ParticleStore& stones) const {
   std::int64_t count = 0;
-  for (std::int64_t s = 0; s < slots_; ++s) count += touches(stones, s);
+  for (std::int64_t s = 0; s < slots(); ++s) count += touches(stones, s);
   return count;
 }
 
 template <ContactLaw Law>
 std::int64_t PairContacts<Law>::held() const {
   std::int64_t count = 0;
-  for (std::int64_t s = 0; s < slots_; ++s) count += history.holds(s);
+  for (std::int64_t s = 0; s < slots(); ++s) count += history.holds(s);
   return count;
 }
 
