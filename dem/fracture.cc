@@ -11,10 +11,17 @@ void make_breakable(ParticleStore& stones, std::vector<double> strength_by_id) {
 }
 
 std::vector<std::int32_t> overloaded(const ParticleStore& stones) {
+  const auto count = static_cast<std::int32_t>(stones.size());
+  const auto breaks = [&](std::int32_t k) {
+    return (stones.load[k].crush > stones.strength[k]) & (stones.softness[k] == 1.0);
+  };
+  // Mostly none is, and each thread asks those whose loads it has at hand.
+  bool any = false;
+#pragma omp parallel for schedule(static) reduction(|| : any) if (count > 64)
+  for (std::int32_t k = 0; k < count; ++k) any |= breaks(k);
   std::vector<std::int32_t> found;
-  for (std::size_t k = 0; k < stones.size(); ++k)
-    if (stones.load[k].crush > stones.strength[k] && stones.softness[k] == 1.0)
-      found.push_back(static_cast<std::int32_t>(k));
+  for (std::int32_t k = 0; any && k < count; ++k)
+    if (breaks(k)) found.push_back(k);
   return found;
 }
 
