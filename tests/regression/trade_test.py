@@ -6,6 +6,7 @@ import subprocess
 import time
 
 import h5py
+import numpy
 from small_runs import BIN, SCENES, SmallRuns, run_named_test, run_script
 
 STUDY = """[study]
@@ -95,6 +96,24 @@ class Trade(SmallRuns):
             "safety = 0.2", 'largest_overlap = 1e-9\nbinder = "none"\nstones.count = 300'))
         self.assertEqual(answer.returncode, 0, answer.stderr)
         self.assertRegex(answer.stdout, r"\| the same \| stopped: .*stone \d+, time .* overlap")
+
+    def test_the_slope_of_a_straight_line_is_found(self):
+        # By construction: 3 and 5 per cent per decade, after gyrations that count for nothing.
+        for seed, slope in (1, 0.03), (2, 0.05):
+            folder = os.path.join(self.out, "runs", "a_mix", f"seed_{seed}")
+            os.makedirs(folder)
+            gyration = numpy.linspace(-1, 20, 400)
+            line = slope * numpy.log10(numpy.maximum(gyration, 1e-9))
+            with h5py.File(os.path.join(folder, "results.h5"), "w") as file:
+                file["history/gyration"] = gyration
+                file["history/air_voids"] = numpy.where(gyration < 5, 0.3, 0.25 - line)
+        answer = run_script("plot_densification.py", self.out, "--from", "5")
+        self.assertEqual(answer.returncode, 0, answer.stderr)
+        self.assertIn("| a mix | 2 | 4.00 | 1.00 |", answer.stdout)
+        self.assertTrue(os.path.exists(os.path.join(self.out, "densification.svg")))
+        empty = run_script("plot_densification.py", self.folder("empty"))
+        self.assertNotEqual(empty.returncode, 0)
+        self.assertEqual(len(empty.stderr.splitlines()), 1)
 
     def test_the_small_study_tells_what_speed_costs(self):
         # The energy ledger watches from outside: its setting errs as the standard does, bit by bit.

@@ -1,0 +1,80 @@
+#!/usr/bin/env python3
+"""Draws how mixes densify: plot_densification.py DIR [--from 5] leaves DIR/densification.png and .svg,
+the density of every run of a study of gyratory compaction in per cent of its greatest (%Gmm = 100 less
+the air voids) over the logarithm of the gyrations, and prints the slope of each setting per decade of
+gyrations from the given one on, with the standard error over its seeds."""
+import argparse
+import itertools
+import pathlib
+import sys
+
+import h5py
+import matplotlib.pyplot as plt
+import numpy
+
+from plots.style import GREY, OF_CURVES, STYLE
+
+FIRST = 0.5  # gyrations: before, the head still settles
+
+
+class Run:
+    def __init__(self, path):
+        with h5py.File(path) as file:
+            gyration = file["history/gyration"][:]
+            counted = gyration > FIRST
+            self.gyration = gyration[counted]
+            self.density = 100 * (1 - file["history/air_voids"][:][counted])
+
+    def slope(self, first):
+        """By least squares [% per decade]; not a number where the run ends before."""
+        later = self.gyration >= first
+        if later.sum() < 2:
+            return numpy.nan
+        return numpy.polyfit(numpy.log10(self.gyration[later]), self.density[later], 1)[0]
+
+
+def settings_of(folder):
+    found = {}
+    for path in sorted(folder.glob("runs/*/seed_*/results.h5")):
+        found.setdefault(path.parent.parent.name.replace("_", " "), []).append(Run(path))
+    return found
+
+
+def draw(settings, first):
+    figure, axes = plt.subplots(figsize=(8, 5))
+    for color, (name, runs) in zip(itertools.cycle(OF_CURVES), settings.items()):
+        for k, run in enumerate(runs):
+            axes.plot(run.gyration, run.density, color=color, linewidth=1.2,
+                      label=name if k == 0 else None)
+    axes.axvline(first, color=GREY, linewidth=0.6, linestyle=":")
+    axes.set(xscale="log", xlabel="gyrations", ylabel="density [% of Gmm]")
+    numbers = [n for n in (0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500) if n <= axes.get_xlim()[1]]
+    axes.set_xticks(numbers, [f"{n:g}" for n in numbers])
+    axes.minorticks_off()
+    axes.legend()
+    return figure
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("folder", type=pathlib.Path, help="of trade --out")
+    parser.add_argument("--from", dest="first", type=float, default=5, help="gyrations")
+    options = parser.parse_args()
+    settings = settings_of(options.folder)
+    if not settings:
+        sys.exit(f"{options.folder}: expected runs/SETTING/seed_N/results.h5 of trade, found none")
+    with plt.rc_context(STYLE):
+        figure = draw(settings, options.first)
+        for ending in ("png", "svg"):
+            figure.savefig(options.folder / f"densification.{ending}", dpi=110)
+    print(f"| setting | runs | %Gmm per decade from gyration {options.first:g} | +- |")
+    print("|---|---:|---:|---:|")
+    for name, runs in settings.items():
+        slopes = [run.slope(options.first) for run in runs]
+        error = numpy.std(slopes, ddof=1) / len(slopes) ** 0.5 if len(slopes) > 1 else numpy.nan
+        print(f"| {name} | {len(slopes)} | {numpy.mean(slopes):.2f} | {error:.2f} |")
+    print(options.folder / "densification.png", file=sys.stderr)
+
+
+if __name__ == "__main__":
+    main()
