@@ -121,8 +121,8 @@ def rows(gyratory, flow):
     yield ("(published) 6 to 8 %Gmm per decade of gyrations",
            f"{slope[0]:.2g} (+-{slope[1]:.1g}) over gyrations 0.5 to 2",
            "agrees" if 6 <= slope[0] <= 8 else "against",
-           "two gyrations are too few: from gyration 8 to 50 it is 4.3, and 5.3 with a tenth of the "
-           "inertia ([trade.md](trade.md)); the binder never relaxes wholly; range from memory")
+           "two gyrations are too few, and inertia takes its part: over fifty it comes nearer "
+           "([trade.md](trade.md)); the binder never relaxes wholly; range from memory")
 
 
 def steel_rows(study, rigid):
