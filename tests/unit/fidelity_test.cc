@@ -19,7 +19,10 @@ TEST_F(Fidelity, gives_defaults_and_the_keys_of_the_scene_hold) {
             standard.numerics.safety);
   EXPECT_EQ(draft.numerics.safety, 0.15);
   EXPECT_FALSE(draft.mould.elastic);
+  EXPECT_TRUE(standard.numerics.selective_mass);
+  EXPECT_FALSE(draft.numerics.selective_mass);
   EXPECT_LT(reference.numerics.mass_scale, standard.numerics.mass_scale);
+  EXPECT_FALSE(reference.numerics.selective_mass);
   ASSERT_TRUE(reference.mould.elastic);
   EXPECT_GT(reference.mould.elastic->modes, apps::ElasticMouldScene{}.modes);
   EXPECT_FALSE(reference.head.elastic);
