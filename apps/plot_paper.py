@@ -5,7 +5,6 @@ Takes what trade left of apps/scenes/studies/paper_gyratory.toml, paper_flow.tom
 paper_gyratory_5000.toml, draws the figures of Olsson, Jelagin & Partl anew (paper.png: 3a, 3b, 4a,
 4b) and writes every statement of theirs with what is found (paper.md)."""
 import argparse
-import json
 import pathlib
 
 import matplotlib.pyplot as plt
@@ -34,13 +33,17 @@ class Mix:
                        axis=0)
 
 
-def name(mix, temperature, content, more=""):
-    return f"{mix}, {temperature} degC, {content} %{more}"
+def name(mix, temperature, content):
+    return f"{mix}, {temperature} degC, {content} %"
 
 
 def mixes(study):
     return {(mix, t, k): Mix(study, name(mix, t, content)) for mix, contents in MIXES.items()
             for t in (150, 110) for k, content in enumerate(contents)}
+
+
+def stones_of(study):
+    return next(iter(study.values())).runs[0].summary["stones"]
 
 
 def broken(run):
@@ -67,6 +70,29 @@ def per_decade(run):
                       -100 * run.columns["air_voids"][later], 1)[0]
 
 
+def depth(flow):
+    """That every strip has reached [m]."""
+    return min(run.columns["displacement"][-1] for mix in flow.values() for run in mix.runs)
+
+
+def voids_before(run):
+    return 100 * run.summary["air_voids_start"]
+
+
+def decrease(run):
+    """Of the air voids, at the end [% of volume]."""
+    return 100 * run.columns["air_voids_decrease"][-1]
+
+
+def internal_angle(run):
+    return np.mean(run.columns["internal_angle"])
+
+
+def traction(run):
+    """Of the mould, mean of the gyrations [kPa]."""
+    return 1e-3 * np.mean(run.columns["mould_traction"][run.gyrating()])
+
+
 def spread(values):
     """Their mean and its standard error, nan of a single one."""
     error = np.std(values, ddof=1) / np.sqrt(len(values)) if len(values) > 1 else np.nan
@@ -91,32 +117,33 @@ def compare(runs_of, of, place, more, less, unit):
 
 
 def rows(gyratory, flow):
+    """Every statement of the paper: what was found, whether it agrees, and a remark."""
     least, most = mean(flow, lowest), mean(flow, uplift)
     yield ("Initially a compression, eventually an uplift (3.2)",
            f"lowest {least[0]:.2f} mm, at the end {most[0]:+.2f} mm (+-{most[1]:.2g})",
            "agrees" if least[0] < 0 < most[0] - 2 * most[1] else "not shown",
-           "the box is half as large and the strip goes less deep")
+           f"the strip goes {1e3 * depth(flow):.0f} mm deep")
     yield ("The uplift increases with decreasing temperature (3.2)",
            *compare(flow, uplift, 1, 110, 150, "mm"), "110 against 150 degC")
     yield ("The uplift increases with decreasing binder content (3.2)",
            *compare(flow, uplift, 2, 0, 1, "mm"), "")
     yield ("A stiffer sample at lower temperature (3.2, 3.3)",
            *compare(flow, pressure, 1, 110, 150, "kPa"), "mean pressure, second half of the way")
-    count = next(iter(gyratory.values())).runs[0].summary["stones"]
+    count = stones_of(gyratory)
     most_broken = max(mix.values(broken).max() for mix in gyratory.values())
     share = mean(gyratory, broken)[0] / count
     yield ("Fracture is very rare: 0 to 4 of 5000 stones (3.3)",
            f"0 to {most_broken:.0f} of {count}, mean {100 * share:.2g} %",
-           "agrees" if share < 4 / 5000 else "against",
+           "agrees" if share <= 4 / 5000 else "against",
            "strength by size is the paper's")
     yield ("Lower temperature: more frequent damage (3.3)",
            *compare(flow, broken, 1, 110, 150, "stones"), "flow test; none breaks in the mould")
     first = mean(gyratory, lambda run: np.interp(1, run.columns["gyration"],
                                                  run.columns["air_voids_decrease"]))
-    whole = mean(gyratory, lambda run: run.columns["air_voids_decrease"][-1])
+    whole = mean(gyratory, decrease)
     yield ("Overestimated compressibility in the first gyrations (3.3)",
-           f"first gyration {100 * first[0]:.2f} % of volume, both {100 * whole[0]:.2f} %",
-           "agrees" if first[0] > whole[0] / 2 else "against", "")
+           f"first gyration {100 * first[0]:.2f} % of volume, both {whole[0]:.2f} %",
+           "agrees" if 100 * first[0] > whole[0] / 2 else "against", "")
     slope = mean(gyratory, per_decade)
     yield ("(published) 6 to 8 %Gmm per decade of gyrations",
            f"{slope[0]:.2g} (+-{slope[1]:.1g}) over gyrations 0.5 to 2",
@@ -125,44 +152,47 @@ def rows(gyratory, flow):
            "([trade.md](trade.md)); the binder never relaxes wholly; range from memory")
 
 
-def steel_rows(study, rigid):
-    """What the steel changes, quantity by quantity."""
-    for words, unit, of in (
-            ("internal angle", "deg", lambda run: np.mean(run.columns["internal_angle"])),
-            ("air-void decrease", "%", lambda run: 100 * run.columns["air_voids_decrease"][-1]),
-            ("traction of the mould", "kPa",
-             lambda run: 1e-3 * np.mean(run.columns["mould_traction"][run.gyrating()])),
-            ("broken stones", "", broken)):
-        elastic, stiff = study.values(of), rigid.values(of)
-        apart = elastic - stiff
-        yield words, unit, np.mean(elastic), np.mean(stiff), *spread(apart)
+def steel_rows(study):
+    """What the steel changes, quantity by quantity, in one configuration."""
+    chosen = name("SMA 11", 150, "6.6")
+    elastic, rigid = Mix(study, chosen), Mix(study, chosen + ", rigid steel")
+    for words, unit, of in (("internal angle", "deg", internal_angle),
+                            ("air-void decrease", "%", decrease),
+                            ("traction of the mould", "kPa", traction),
+                            ("broken stones", "-", broken)):
+        one, other = elastic.values(of), rigid.values(of)
+        apart, error = spread(one - other)
+        yield (f"| {words} [{unit}] | {np.mean(one):.4g} | {np.mean(other):.4g} | {apart:+.2g} "
+               f"| {error:.1g} |\n")
 
 
 def full_rows(study):
-    """What each configuration has found at the paper's number of stones."""
+    """What each configuration has found at the paper's number of stones, over its seeds."""
     for mix in mixes(study).values():
-        for run in mix.runs:
-            yield (f"| {mix.name} | {100 * run.summary['air_voids_start']:.1f} % "
-                   f"| {100 * run.columns['air_voids_decrease'][-1]:.2f} % "
-                   f"| {1e-3 * np.mean(run.columns['mould_traction'][run.gyrating()]):.0f} kPa "
-                   f"| {run.summary['internal_angle_deg']:.3f} deg | {broken(run):.0f} "
-                   f"| {run.summary['wall_seconds'] / 60:.1f} min |\n")
+        yield (f"| {mix.name} | {told(mix, voids_before, '.1f')} | {told(mix, decrease, '.2f')} "
+               f"| {told(mix, traction, '.0f')} | {told(mix, internal_angle, '.4f')} "
+               f"| {', '.join(f'{n:.0f}' for n in mix.values(broken))} "
+               f"| {np.mean(mix.values(lambda run: run.summary['wall_seconds'])) / 60:.1f} |\n")
+
+
+def told(mix, of, digits):
+    value, error = spread(mix.values(of))
+    return f"{value:{digits}} +- {error:{digits}}"
 
 
 def draw(gyratory, flow, out):
     with plt.rc_context(STYLE):
         figure, axes = plt.subplots(2, 2, figsize=(12, 8.5))
         a, b, c, d = axes.flat
-        depth = np.linspace(0, min(run.columns["displacement"][-1] for mix in flow.values()
-                                   for run in mix.runs), 200)[1:]
+        way = np.linspace(0, depth(flow), 200)[1:]
         turns = np.linspace(0, 2, 200)[1:]
         style = lambda key: {"color": RED if key[1] == 150 else BLUE,
                              "alpha": 1 if key[2] else 0.55,
                              "linestyle": "-" if key[0].startswith("SMA") else "--"}
         for key, mix in flow.items():
-            a.plot(1e3 * depth, 1e-3 * mix.curve("displacement", "pressure", depth), **style(key),
+            a.plot(1e3 * way, 1e-3 * mix.curve("displacement", "pressure", way), **style(key),
                    label=mix.name)
-            b.plot(1e3 * depth, 1e3 * mix.curve("displacement", "uplift", depth), **style(key))
+            b.plot(1e3 * way, 1e3 * mix.curve("displacement", "uplift", way), **style(key))
         for key, mix in gyratory.items():
             c.plot(turns, 100 * mix.curve("gyration", "air_voids_decrease", turns), **style(key))
         a.set(title="Figure 3a: flow test", xlabel="displacement [mm]", ylabel="pressure [kPa]")
@@ -191,7 +221,6 @@ def main():
     options.out.mkdir(parents=True, exist_ok=True)
     gyratory, flow = mixes(options.gyratory), mixes(options.flow)
     draw(gyratory, flow, options.out)
-    summary = json.loads((gyratory["SMA 11", 150, 0].runs[0].folder / "summary.json").read_text())
     text = f"""# The paper's study, run and compared
 
 Made by
@@ -200,10 +229,10 @@ Made by
     build/bin/trade apps/scenes/studies/paper_flow.toml --out paper_flow
     python3 apps/plot_paper.py paper_gyratory paper_flow --out apps/docs
 
-with {summary["stones"]} stones instead of 5000 (of the flow test in half the box), two gyrations,
-three seeds, `standard`; SMA 11 and AC 11, 110 and 150 degC, two binder contents each. "Agrees" and
-"against" are said where the difference is beyond twice its standard error over configurations,
-paired where two are compared, and seeds.
+SMA 11 and AC 11, 110 and 150 degC, two binder contents each, three seeds: the flow test with
+{stones_of(flow)} stones, at `draft`; gyratory compaction with {stones_of(gyratory)} stones and two gyrations, at
+`standard`. "Agrees" and "against" are said where the difference is beyond twice its standard error over
+configurations, paired where two are compared, and seeds.
 
 ![Figures 3 and 4 anew](paper.png)
 
@@ -212,30 +241,30 @@ paired where two are compared, and seeds.
 """
     for row in rows(gyratory, flow):
         text += "| " + " | ".join(row) + " |\n"
-    base = gyratory["SMA 11", 150, 0]
-    rigid = Mix(options.gyratory, name("SMA 11", 150, "6.6", ", rigid steel"))
-    text += """
-## What the steel changes
-
-SMA 11, 150 degC, 6.6 %: elastic mould and head against rigid ones, paired by seed.
-
+    steel = """
 | quantity | elastic | rigid | difference | +- |
 |---|---:|---:|---:|---:|
 """
-    for words, unit, a, b, apart, error in steel_rows(base, rigid):
-        text += f"| {words} [{unit or '-'}] | {a:.4g} | {b:.4g} | {apart:+.2g} | {error:.1g} |\n"
+    text += f"""
+## What the steel changes
+
+SMA 11, 150 degC, 6.6 %: elastic mould and head against rigid ones, paired by seed.
+{steel}"""
+    text += "".join(steel_rows(options.gyratory))
     if options.full:
         text += """
 ## At the paper's 5000 stones
 
     build/bin/trade apps/scenes/studies/paper_gyratory_5000.toml --out paper_gyratory_5000
 
-(`--full paper_gyratory_5000` above), elastic steel, one gyration, one seed:
+(`--full paper_gyratory_5000` above), elastic steel, one gyration, three seeds with the standard error of
+their mean; the time of a run is that on one core with another run beside it:
 
-| configuration | air voids before | decrease | traction of the mould | internal angle | broken | time |
+| configuration | air voids before [%] | decrease [%] | traction of the mould [kPa] | internal angle [deg] | broken | time [min] |
 |---|---:|---:|---:|---:|---:|---:|
 """
         text += "".join(full_rows(options.full))
+        text += f"\nThe steel at this size:\n{steel}" + "".join(steel_rows(options.full))
     (options.out / "paper.md").write_text(text)
     print(text)
 

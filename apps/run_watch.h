@@ -26,6 +26,9 @@ inline double row_after(double due, double interval, double now) {
   return std::max(due + interval, std::nextafter(now, std::numeric_limits<double>::infinity()));
 }
 
+// Steps after which a settling bed tells how far it is.
+inline constexpr int told_after = 100;
+
 template <class Law>
 class RunWatch {
  public:
@@ -42,12 +45,18 @@ class RunWatch {
   void settle(dem::Simulation<Law>& bed, Recorder& recorder, Progress& progress,
               const Pulse& pulse) {
     budget.enter(TimeBudget::settling);
-    const auto report = [&](double rest) {
-      filling.record(recorder, bed.time(), bed.stones(), 0);
+    double rest = 0;
+    const auto tell = [&] {
       progress.report(rest, fmt::format("settling: time {:.2f} s, rest {:.1e}", bed.time(), rest));
+    };
+    const auto report = [&](double now) {
+      filling.record(recorder, bed.time(), bed.stones(), 0);
+      rest = now;
+      tell();
     };
     apps::settle(bed, settling_, report, [&] {
       look(bed);
+      if (bed.steps() % told_after == 0) tell();  // the next report may be minutes away
       pulse();
     });
     budget.enter(TimeBudget::other);

@@ -9,6 +9,7 @@ import argparse
 import json
 import os
 import re
+import signal
 import subprocess
 import sys
 import tempfile
@@ -19,6 +20,7 @@ import numpy as np
 
 os.environ["OMP_WAIT_POLICY"] = "passive"
 LONGEST = 1500  # of a run [s]: beyond it is hung
+STOPPED = 60  # a run that would take hours [s]: some hundred steps of it
 
 INTRODUCTION = """# Scenes at their extremes
 
@@ -55,6 +57,8 @@ def settings(place, long):
         yield "20,000 stones, 0.02 gyrations", {
             **scaled, "stones.count": 20000, "gyration.count": 0.02, "gyration.ramp": "0.05 s",
             "output.energy_ledger": "false", "fill.rest_energy": 0.1}
+        yield "200,000 stones, stopped twice", {
+            **scaled, "stones.count": 200000, "output.energy_ledger": "false"}
     for pressure in ("1 kPa", "10 MPa"):
         yield pressure, {"gyration.pressure": pressure}
     for angle in (0, 5):
@@ -102,6 +106,25 @@ def flat(scene):
     return dict(sorted(kept.items(), key=lambda item: item[1] != "none"))
 
 
+def stop_twice(line, folder):
+    """Stops a run after a while, lets it go on from there, and tells how far it came each time."""
+    reached = []
+    for more in (line + ["--out", folder], [line[0], "--resume", folder, "--threads", "1"]):
+        with subprocess.Popen(more, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                              text=True) as process:
+            try:
+                process.wait(STOPPED)
+            except subprocess.TimeoutExpired:
+                process.send_signal(signal.SIGINT)
+            said = process.communicate()[0]
+        if process.returncode != 130:
+            return {"ends": f"FAILS, status {process.returncode}: {said.splitlines()[-1]}",
+                    "sound": False}
+        reached.append(float(re.findall(r"time (\S+) s", said)[-1]))
+    return {"ends": f"stopped while settling at {reached[0]:.2f} s, goes on, stopped at "
+                    f"{reached[1]:.2f} s", "sound": reached[1] > reached[0]}
+
+
 def run(options, label, changes):
     scene = flat({**BASE, **changes})
     told = subprocess.run(command("gyratory", options, scene) + ["--check"], capture_output=True,
@@ -113,6 +136,8 @@ def run(options, label, changes):
         return {**row, "ends": "refused: " + told.stderr.strip().split("expected ")[-1]}
     with tempfile.TemporaryDirectory() as place:
         folder = os.path.join(place, "run")
+        if "stopped" in label:
+            return {**row, **stop_twice(command("gyratory", options, scene), folder)}
         try:
             done = subprocess.run(command("gyratory", options, scene) +
                                   ["--out", folder, "--quiet"], capture_output=True, text=True,
@@ -144,7 +169,7 @@ def main():
     parser.add_argument("scenes")
     parser.add_argument("table", nargs="?")
     parser.add_argument("--only", default="", help="extremes whose label has this word")
-    parser.add_argument("--long", action="store_true", help="20,000 stones, too: half an hour")
+    parser.add_argument("--long", action="store_true", help="20,000 and 200,000 stones, too: half an hour")
     options = parser.parse_args()
     text = INTRODUCTION
     with tempfile.TemporaryDirectory() as place, ThreadPoolExecutor(os.cpu_count()) as workers:
