@@ -167,7 +167,7 @@ struct FlowTestScene {
   std::optional<BinderScene> binder;
   FillScene fill;
   FlowScene flow;
-  NumericsScene numerics;
+  NumericsScene numerics = {.selective_mass = false};  // it is quasi-static without
   OutputScene output;
 
   std::string where(const std::string& key) const { return source.where(key); }

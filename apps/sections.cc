@@ -16,8 +16,8 @@ Section describe(NumericsScene& numerics) {
         "inertia / true inertia; the weight is never scaled", "Thornton, Antony (1998)"},
        {&numerics.selective_mass, "selective_mass", pure, unbounded,
         "true: mass_scale is that of the stone that needs most for its time step, the others get "
-        "what they need for the same once the bed lies",
-        ours},
+        "what they need for the same once the bed lies (a flow test: false)",
+        "measured, apps/docs/trade.md"},
        {&numerics.safety, "safety", pure, above_zero_to(1),
         "time step / sqrt(2 m / k) of the stiffest contact, m the reduced mass of its bodies", "O'Sullivan, Bray (2004), near 0.17"},
        {&numerics.time_compression, "time_compression", pure, at_least(1),

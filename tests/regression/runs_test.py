@@ -135,9 +135,9 @@ class Runs(SmallRuns):
 
     def test_selective_mass_leaves_the_filling_as_it_is(self):
         # Weight would sort stones whose scales differ while they fall.
-        uniform, whole = self.run_scene("uniform", "flow_test",
-                                         FLOW + ["numerics.selective_mass=false"])
-        selective, less = self.run_scene("selective", "flow_test", FLOW)
+        uniform, whole = self.run_scene("uniform", "flow_test", FLOW)
+        selective, less = self.run_scene("selective", "flow_test",
+                                         FLOW + ["numerics.selective_mass=true"])
         self.assertEqual(whole["bed_height_m"], less["bed_height_m"])
         self.assertNotEqual(uniform["pressure"].tobytes(), selective["pressure"].tobytes())
 
