@@ -6,7 +6,7 @@ namespace {
 void take_fidelity(const std::string& fidelity, NumericsScene& numerics) {
   if (fidelity == "draft") {
     numerics.selective_mass = false;
-    numerics.safety = 0.3;
+    numerics.safety = 0.4;
   } else if (fidelity == "reference") {
     numerics.mass_scale = 100;
     numerics.selective_mass = false;

@@ -13,7 +13,7 @@ constexpr double falls_to_rest = 1.7;      // times of free fall until a bed is 
 // Inertial numbers up to which a flow is quasi-static (GDR MiDi 2004), and up to which its forces
 // still are roughly those of rest.
 constexpr double quasi_static = 1e-3, nearly_static = 1e-2;
-constexpr double nearly_unstable = 0.4;  // measured of stones with twelve neighbours: 0.41
+constexpr double nearly_unstable = 0.5;  // twelve such contacts around a stone bear 2 / sqrt(12)
 constexpr double enough_widths = 4;  // 150 mm for stones up to 37.5 mm: AASHTO T 312, from memory
 
 // Time step of the smallest stone pressed on one like it by a force [N].

@@ -121,7 +121,7 @@ struct FlowScene {
 struct NumericsScene {
   double mass_scale = 1e4;       // inertia / true inertia; weight is never scaled [-]
   bool selective_mass = true;    // less for stones that need less of it for the same time step
-  double safety = 0.2;           // time step / sqrt(2 reduced mass / k) of a contact [-]
+  double safety = 0.2;           // time step / sqrt(m / k) of the stiffest contact [-]
   double head_mass_scale = 100;  // inertia / true inertia of the head and the modes of the steel
   int exchange_interval = 20;    // steps between exchanges with the static wall modes
   double time_compression = 1;   // how many times faster than asked for a process is run [-]

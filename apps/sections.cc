@@ -19,7 +19,7 @@ Section describe(NumericsScene& numerics) {
         "what they need for the same once the bed lies (a flow test: false)",
         "measured, apps/docs/trade.md"},
        {&numerics.safety, "safety", pure, above_zero_to(1),
-        "time step / sqrt(2 m / k) of the stiffest contact, m the reduced mass of its bodies", "O'Sullivan, Bray (2004), near 0.17"},
+        "time step / sqrt(m / k) of the stiffest contact", "O'Sullivan, Bray (2004), near 0.17"},
        {&numerics.time_compression, "time_compression", pure, at_least(1),
         "times that the process is run faster than asked for, and the binder relaxes faster", ours},
        {&numerics.largest_overlap, "largest_overlap", pure, above_zero_to(1),

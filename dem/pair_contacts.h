@@ -224,13 +224,12 @@ template <class T, bool check>
 
   if constexpr (check) {
     const std::int32_t *i = &slots_.first[slot], *j = &slots_.second[slot];
-    const T inertia_i = gather<T>(stones.inertia.data(), i, 1);
-    const T inertia_j = gather<T>(stones.inertia.data(), j, 1);
-    const T twice_reduced = T(2.0) * inertia_i * inertia_j / (inertia_i + inertia_j);
+    const T lighter =
+        smaller(gather<T>(stones.inertia.data(), i, 1), gather<T>(stones.inertia.data(), j, 1));
     const T thinner =
         smaller(gather<T>(stones.radius.data(), i, 1), gather<T>(stones.radius.data(), j, 1));
     const T deep = (contact.overlap - T(2.0 * stones.shell)) / thinner;
-    extremes.look(slot, response.stiffness / twice_reduced, select(alive, deep, zero));
+    extremes.look(slot, response.stiffness / lighter, select(alive, deep, zero));
   }
 }
 

@@ -21,7 +21,7 @@ struct LaneExtremes;
 
 // The extreme contacts of one list, found while their forces are evaluated.
 struct Extremes {
-  double rate = 0;  // largest stiffness / twice the reduced inertia of its bodies [1/s2]
+  double rate = 0;  // largest stiffness / inertia of the lighter body [1/s2]
   std::int64_t rate_slot = -1;
   double overlap = 0;  // largest stone overlap / radius of the smaller stone [-]
   std::int64_t overlap_slot = -1;

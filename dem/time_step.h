@@ -1,6 +1,5 @@
-// The time step, taken from the stiffest contact of the running scene: dt = safety sqrt(2 m / k), m
-// the reduced inertia of its two bodies: half that of two equal stones, all of a stone at a wall.
-// So a contact adds as much to the highest frequency of the bed, whatever it is between.
+// The time step, taken from the stiffest contact of the running scene: dt = safety sqrt(inertia /
+// k).
 #pragma once
 
 #include "dem/particle_store.h"
@@ -22,7 +21,7 @@ class StepClock {
 
   double step() const { return step_; }  // [s]
 
-  // rate: largest stiffness / (2 m) found among the contacts [1/s2]. True if the step changed.
+  // rate: largest stiffness / inertia found among the contacts [1/s2]. True if the step changed.
   bool look(double rate);
 
  private:

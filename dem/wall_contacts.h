@@ -238,7 +238,7 @@ void WallContacts<Law>::evaluate_at(ParticleStore& particles, const Wall& wall, 
   put(particles, slot, results);
 
   if (horizon > 0) {
-    const T rate = select(alive, response.stiffness / (T(2.0) * inertia), zero);
+    const T rate = select(alive, response.stiffness / inertia, zero);
     const T deep = select(alive, (overlap - T(particles.shell)) / stone, zero);
     for (int k = 0; k < width<T>; ++k)
       if (lane(alive, k)) extremes.merge({lane(rate, k), slot + k, lane(deep, k), slot + k});

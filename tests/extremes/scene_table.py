@@ -87,7 +87,7 @@ def settings(place, long):
         brief = {"gyration.ramp": "0.02 s", "gyration.count": 0.02} if scale < 10 else {}
         yield f"mass scale {scale:.0e}", {"numerics.mass_scale": scale, **brief}
     for safety in (0.5, 0.8, 1):
-        yield f"time step {safety} sqrt(2 m/k)", {"numerics.safety": safety}
+        yield f"time step {safety} sqrt(m/k)", {"numerics.safety": safety}
 
 
 def command(program, options, scene):
