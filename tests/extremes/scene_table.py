@@ -24,7 +24,7 @@ STOPPED = 60  # a run that would take hours [s]: some hundred steps of it
 
 INTRODUCTION = """# Scenes at their extremes
 
-Made by `python3 tests/extremes/scene_table.py build/bin apps/scenes tests/extremes/scene_table.md`.
+Made by `python3 tests/extremes/scene_table.py build/bin apps/scenes tests/extremes/scene_table.md --long`.
 One thing at a time is taken to its extreme in a scene of 150 stones of SMA 11 between rigid walls,
 a quarter of a gyration at 600 kPa, and the energy ledger watches. Residual: the part of the work that the
 ledger cannot explain. Inertial number: as `--check` foretells it, quasi-static below 1e-3. A warning
@@ -169,7 +169,8 @@ def main():
     parser.add_argument("scenes")
     parser.add_argument("table", nargs="?")
     parser.add_argument("--only", default="", help="extremes whose label has this word")
-    parser.add_argument("--long", action="store_true", help="20,000 and 200,000 stones, too: half an hour")
+    parser.add_argument("--long", action="store_true",
+                        help="20,000 and 200,000 stones, too: a quarter of an hour in all")
     options = parser.parse_args()
     text = INTRODUCTION
     with tempfile.TemporaryDirectory() as place, ThreadPoolExecutor(os.cpu_count()) as workers:
