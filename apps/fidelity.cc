@@ -4,12 +4,12 @@ namespace apps {
 namespace {
 
 void take_fidelity(const std::string& fidelity, NumericsScene& numerics) {
+  if (fidelity == "standard") return;
+  numerics.selective_mass = false;
   if (fidelity == "draft") {
-    numerics.selective_mass = false;
     numerics.safety = 0.4;
-  } else if (fidelity == "reference") {
+  } else {
     numerics.mass_scale = 100;
-    numerics.selective_mass = false;
     numerics.safety = 0.1;
     numerics.exchange_interval = 5;
   }

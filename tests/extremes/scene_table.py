@@ -20,7 +20,8 @@ import numpy as np
 
 os.environ["OMP_WAIT_POLICY"] = "passive"
 LONGEST = 1500  # of a run [s]: beyond it is hung
-STOPPED = 60  # a run that would take hours [s]: some hundred steps of it
+STOPPED = 60  # a run that would take hours [s]: some thousand steps of it
+STOPPED_TWICE = "200,000 stones, stopped twice"
 
 INTRODUCTION = """# Scenes at their extremes
 
@@ -57,7 +58,7 @@ def settings(place, long):
         yield "20,000 stones, 0.02 gyrations", {
             **scaled, "stones.count": 20000, "gyration.count": 0.02, "gyration.ramp": "0.05 s",
             "output.energy_ledger": "false", "fill.rest_energy": 0.1}
-        yield "200,000 stones, stopped twice", {
+        yield STOPPED_TWICE, {
             **scaled, "stones.count": 200000, "output.energy_ledger": "false"}
     for pressure in ("1 kPa", "10 MPa"):
         yield pressure, {"gyration.pressure": pressure}
@@ -136,7 +137,7 @@ def run(options, label, changes):
         return {**row, "ends": "refused: " + told.stderr.strip().split("expected ")[-1]}
     with tempfile.TemporaryDirectory() as place:
         folder = os.path.join(place, "run")
-        if "stopped" in label:
+        if label == STOPPED_TWICE:
             return {**row, **stop_twice(command("gyratory", options, scene), folder)}
         try:
             done = subprocess.run(command("gyratory", options, scene) +
