@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Holds the paper against its study: plot_paper.py GYRATORY_DIR FLOW_DIR [--full DIR] [--out DIR]
 
-Takes what trade left of apps/scenes/studies/paper_gyratory.toml, paper_flow.toml and, with --full,
-paper_gyratory_5000.toml, draws the figures of Olsson, Jelagin & Partl anew (paper.png: 3a, 3b, 4a,
+Takes what trade left of apps/scenes/studies/paper_gyratory.toml, paper_flow_5000.toml (or, smaller,
+paper_flow.toml) and, with --full, paper_gyratory_5000.toml, draws the figures of Olsson, Jelagin & Partl anew (paper.png: 3a, 3b, 4a,
 4b) and writes every statement of theirs with what is found (paper.md)."""
 import argparse
 import pathlib
@@ -123,7 +123,7 @@ def rows(gyratory, flow, pressed):
     yield ("Initially a compression, eventually an uplift (3.2)",
            f"lowest {least[0]:.2f} mm, at the end {most[0]:+.2f} mm (+-{most[1]:.2g})",
            "agrees" if least[0] < 0 < most[0] - 2 * most[1] else "not shown",
-           f"the box is half as large; the strip goes {1e3 * depth(flow):.0f} mm deep")
+           f"the strip goes {1e3 * depth(flow):.0f} mm deep")
     yield ("The uplift increases with decreasing temperature (3.2)",
            *compare(flow, uplift, 1, 110, 150, "mm"), "110 against 150 degC")
     yield ("The uplift increases with decreasing binder content (3.2)",
@@ -167,6 +167,26 @@ def steel_rows(study):
                f"| {error:.1g} |\n")
 
 
+def flow_rows(flow):
+    """What each configuration has found in the flow test, over its seeds."""
+    for mix in flow.values():
+        yield (f"| {mix.name} | {told(mix, lowest, '.2f')} | {told(mix, uplift, '.2f')} "
+               f"| {told(mix, pressure, '.0f')} "
+               f"| {', '.join(f'{n:.0f}' for n in mix.values(broken))} |\n")
+
+
+def sizes(study):
+    """Stones, seeds and inertia of a study, in words."""
+    one = next(iter(study.values()))
+    scene = one.runs[0].scene()
+    box = scene.get("flow")
+    return (f"{stones_of(study)} stones"
+            + (f" in a box of {1e3 * box['length']:.0f} x {1e3 * box['width']:.0f} mm"
+               if box else "")
+            + f", {len(one.runs)} seeds, `{scene['run']['fidelity']}`"
+            + f" with mass scale {scene['numerics']['mass_scale']:.0e}".replace("e+0", "e"))
+
+
 def full_rows(full):
     """What each configuration has found at the paper's number of stones, over its seeds."""
     for mix in full.values():
@@ -177,7 +197,7 @@ def full_rows(full):
 
 def told(mix, of, digits):
     value, error = spread(mix.values(of))
-    return f"{value:{digits}} +- {error:{digits}}"
+    return f"{value:{digits}}" + (f" +- {error:{digits}}" if np.isfinite(error) else "")
 
 
 def draw(gyratory, flow, pressed, out):
@@ -229,13 +249,17 @@ def main():
 Made by
 
     build/bin/trade apps/scenes/studies/paper_gyratory.toml --out paper_gyratory
-    build/bin/trade apps/scenes/studies/paper_flow.toml --out paper_flow
-    python3 apps/plot_paper.py paper_gyratory paper_flow --full paper_gyratory_5000 --out apps/docs
+    build/bin/trade apps/scenes/studies/paper_gyratory_5000.toml --out paper_gyratory_5000
+    build/bin/trade apps/scenes/studies/paper_flow_5000.toml --out paper_flow_5000
+    python3 apps/plot_paper.py paper_gyratory paper_flow_5000 --full paper_gyratory_5000 \\
+        --out apps/docs
 
-SMA 11 and AC 11, 110 and 150 degC, two binder contents each, three seeds, `standard`: the flow test with
-{stones_of(flow)} stones in half the box, gyratory compaction with {stones_of(gyratory)} stones and two gyrations.
-"Agrees" and "against" are said where the difference is beyond twice its standard error over configurations,
-paired where two are compared, and seeds.
+SMA 11 and AC 11, 110 and 150 degC, two binder contents each.
+Flow test: {sizes(flow)}.
+Gyratory compaction: {sizes(gyratory)}, two gyrations.
+`paper_flow.toml` is the flow test in half the box, for some minutes. "Agrees" and "against" are said
+where the difference is beyond twice its standard error over configurations and seeds, paired where
+two are compared.
 
 ![Figures 3 and 4 anew](paper.png)
 
@@ -254,16 +278,20 @@ paired where two are compared, and seeds.
 SMA 11, 150 degC, 6.6 %: elastic mould and head against rigid ones, paired by seed.
 {steel}"""
     text += "".join(steel_rows(options.gyratory))
+    text += """
+## The flow test, configuration by configuration
+
+| configuration | lowest uplift [mm] | at the end [mm] | pressure, second half [kPa] | broken |
+|---|---:|---:|---:|---:|
+"""
+    text += "".join(flow_rows(flow))
     if options.full:
-        text += """
-## At the paper's 5000 stones
+        text += f"""
+## Gyratory compaction at the paper's 5000 stones
 
-    build/bin/trade apps/scenes/studies/paper_gyratory_5000.toml --out paper_gyratory_5000
+Elastic steel, one gyration; {sizes(full)}:
 
-Elastic steel, one gyration, three seeds with the standard error of
-their mean:
-
-| configuration | air voids before [%] | decrease [%] | traction of the mould [kPa] | internal angle [deg] | broken |
+| configuration | voids before [%] | decrease [%] | mould [kPa] | internal angle [deg] | broken |
 |---|---:|---:|---:|---:|---:|
 """
         text += "".join(full_rows(full))

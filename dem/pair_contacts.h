@@ -21,7 +21,7 @@
 
 namespace dem {
 
-// Steps between two looks at stiffness, overlap and finiteness.
+// Steps between two looks at stiffness and overlap, at most.
 inline constexpr int check_interval = 16;
 
 template <ContactLaw Law>

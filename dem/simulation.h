@@ -125,12 +125,15 @@ void Simulation<Law>::step() {
   if (!travel.finite) stop_at_first_not_finite(stones_, time_);
   stop_at_wall_not_finite();
 
+  // What comes new to a list may come fast: it is looked at before it has come much closer.
+  bool check = steps_ % check_interval == 0 || travel.strayed;
   if (travel.strayed) refresh_neighbors();
-  for (std::size_t w = 0; w < walls_.size(); ++w)
-    if (walls_[w].moved > settings_.skin / 2)
-      wall_contacts_[w].find(stones_, walls_[w], settings_.skin, leash_);
-
-  find_forces(dt, steps_ % check_interval == 0);
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    if (walls_[w].moved <= settings_.skin / 2) continue;
+    wall_contacts_[w].find(stones_, walls_[w], settings_.skin, leash_);
+    check = true;
+  }
+  find_forces(dt, check);
   stop_at_wall_not_finite();
 }
 
@@ -143,7 +146,7 @@ void Simulation<Law>::find_forces(double dt, bool check) {
     at_walls.push_back(wall_contacts_[w].evaluate(stones_, walls_[w], dt, horizon));
   if constexpr (Law::breaks) {
     break_stones();
-    if (check) soften_stones();
+    if (steps_ % check_interval == 0) soften_stones();
   }
   if (check) inspect(pair, at_walls);
 }

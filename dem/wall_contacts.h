@@ -196,8 +196,8 @@ void WallContacts<Law>::evaluate_at(ParticleStore& particles, const Wall& wall, 
   const T overlap = radius - distance;
 
   MemoryOf<Law, T> memory(history, slot);
-  const auto alive =
-      lanes_below<T>(slots_ - slot) & ((overlap > T(0.0)) | Law::template holds<T>(memory.value));
+  const auto listed = lanes_below<T>(slots_ - slot);
+  const auto alive = listed & ((overlap > T(0.0)) | Law::template holds<T>(memory.value));
   const T arm = radius - T(0.5) * overlap;
   const Vec3<T> point = position - normal * arm;
   const Vec3<T> spin = gather<T>(particles.spin, i);
@@ -238,10 +238,10 @@ void WallContacts<Law>::evaluate_at(ParticleStore& particles, const Wall& wall, 
   put(particles, slot, results);
 
   if (horizon > 0) {
-    const T rate = select(alive, response.stiffness / inertia, zero);
+    const T rate = select(listed, response.stiffness / inertia, zero);
     const T deep = select(alive, (overlap - T(particles.shell)) / stone, zero);
     for (int k = 0; k < width<T>; ++k)
-      if (lane(alive, k)) extremes.merge({lane(rate, k), slot + k, lane(deep, k), slot + k});
+      if (lane(listed, k)) extremes.merge({lane(rate, k), slot + k, lane(deep, k), slot + k});
   }
 }
 

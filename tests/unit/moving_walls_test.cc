@@ -140,6 +140,30 @@ TEST(moving_walls, a_stone_outside_the_mould_stops_the_run_by_name) {
   }
 }
 
+TEST(moving_walls, the_step_shortens_before_a_fast_wall_strikes) {
+  // From the promise of dem/time_step.h, with steps in which the wall goes a third of the skin: the
+  // step at the first touch is that of a contact pressed by at least one step more.
+  dem::Settings settings;
+  settings.largest_step = 1e-4;
+  settings.skin = 0.3e-3;
+  settings.gravity = 0;
+  constexpr double radius = 2e-3, speed = 1, gap = 0.75e-3;
+  dem::Simulation<Dry> bed(dem::make_stones({{0, 0, 0}}, {radius}, 2650, 0, 1), law(), settings);
+  dem::Wall lid;
+  lid.surface = dem::Plane{};
+  lid.frame.ex = {1, 0, 0};
+  lid.frame.ey = {0, -1, 0};
+  lid.frame.ez = {0, 0, -1};
+  lid.frame.origin = {0, 0, radius + gap};
+  lid.motion = dem::Driven{{0, 0, -speed}};
+  bed.add_wall(lid, law());
+  while (bed.walls()[0].push == 0) bed.step();
+  ASSERT_LT(bed.time(), 2 * gap / speed);
+  const double pressed = speed * bed.last_step();
+  const double stiffness = 2 * law().normal.modulus * std::sqrt(radius * pressed);
+  EXPECT_LE(bed.last_step(), settings.safety * std::sqrt(bed.stones().inertia[0] / stiffness));
+}
+
 TEST(moving_walls, a_wall_without_a_number_stops_the_run_by_name) {
   // From the promise: numerical trouble names stone, time and value, wherever it begins.
   dem::Settings settings;
