@@ -58,6 +58,11 @@ def lowest(run):
     return 1e3 * np.min(run.columns["uplift"])
 
 
+def sinking(run):
+    """Uplift by the bed's own weight, before the strip presses with 1 kPa [mm]."""
+    return 1e3 * run.columns["uplift"][np.argmax(run.columns["pressure"] > 1e3)]
+
+
 def pressure(run):
     late = run.columns["displacement"] > 0.5 * run.columns["displacement"][-1]
     return 1e-3 * np.mean(run.columns["pressure"][late])
@@ -119,10 +124,11 @@ def compare(runs_of, of, place, more, less, unit):
 def rows(gyratory, flow, pressed):
     """Every statement of the paper: what was found, whether it agrees, and a remark; broken stones
     are counted in `pressed`."""
-    least, most = mean(flow, lowest), mean(flow, uplift)
+    least, most, sunk = mean(flow, lowest), mean(flow, uplift), mean(flow, sinking)
     yield ("Initially a compression, eventually an uplift (3.2)",
            f"lowest {least[0]:.2f} mm, at the end {most[0]:+.2f} mm (+-{most[1]:.2g})",
            "agrees" if least[0] < 0 < most[0] - 2 * most[1] else "not shown",
+           f"{sunk[0]:.2f} mm under its weight, before the strip presses with 1 kPa; "
            f"the strip goes {1e3 * depth(flow):.0f} mm deep")
     yield ("The uplift increases with decreasing temperature (3.2)",
            *compare(flow, uplift, 1, 110, 150, "mm"), "110 against 150 degC")
@@ -170,7 +176,8 @@ def steel_rows(study):
 def flow_rows(flow):
     """What each configuration has found in the flow test, over its seeds."""
     for mix in flow.values():
-        yield (f"| {mix.name} | {told(mix, lowest, '.2f')} | {told(mix, uplift, '.2f')} "
+        yield (f"| {mix.name} | {told(mix, sinking, '.2f')} | {told(mix, lowest, '.2f')} "
+               f"| {told(mix, uplift, '.2f')} "
                f"| {told(mix, pressure, '.0f')} "
                f"| {', '.join(f'{n:.0f}' for n in mix.values(broken))} |\n")
 
@@ -183,7 +190,7 @@ def sizes(study):
     return (f"{stones_of(study)} stones"
             + (f" in a box of {1e3 * box['length']:.0f} x {1e3 * box['width']:.0f} mm"
                if box else "")
-            + f", {len(one.runs)} seeds, `{scene['run']['fidelity']}`"
+            + f", {len(one.runs)} seed{'s' * (len(one.runs) > 1)}, `{scene['run']['fidelity']}`"
             + f" with mass scale {scene['numerics']['mass_scale']:.0e}".replace("e+0", "e"))
 
 
@@ -281,8 +288,10 @@ SMA 11, 150 degC, 6.6 %: elastic mould and head against rigid ones, paired by se
     text += """
 ## The flow test, configuration by configuration
 
-| configuration | lowest uplift [mm] | at the end [mm] | pressure, second half [kPa] | broken |
-|---|---:|---:|---:|---:|
+Uplift when the strip begins to press (1 kPa), at its lowest and at the end:
+
+| configuration | begins [mm] | lowest [mm] | end [mm] | pressure, second half [kPa] | broken |
+|---|---:|---:|---:|---:|---:|
 """
     text += "".join(flow_rows(flow))
     if options.full:
