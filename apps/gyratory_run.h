@@ -231,7 +231,7 @@ void GyratoryRun<Law>::step() {
   const double dt = bed_.time_step();
   dem::Wall& plate = bed_.walls()[head];
   dem::Wall& ring = bed_.walls()[mould];
-  wall_outputs_.look(bed_.walls(), dt, plate.frame.origin.z, [this](int part) {
+  wall_outputs_.look(bed_.walls(), bed_.last_step(), plate.frame.origin.z, [this](int part) {
     return bed_.wall_contacts(part).bending_power(bed_.walls()[part]);
   });
   const double looked = timed ? wall_clock() : 0;

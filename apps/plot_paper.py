@@ -149,7 +149,7 @@ def rows(gyratory, flow, pressed):
                                                  run.columns["air_voids_decrease"]))
     whole = mean(gyratory, decrease)
     yield ("Overestimated compressibility in the first gyrations (3.3)",
-           f"first gyration {100 * first[0]:.2f} % of volume, both {whole[0]:.2f} %",
+           f"{100 * first[0]:.2f} % of volume after the first, {whole[0]:.2f} % after two",
            "agrees" if 100 * first[0] > whole[0] / 2 else "against", "")
     slope = mean(gyratory, per_decade)
     yield ("(published) 6 to 8 %Gmm per decade of gyrations",
@@ -191,7 +191,8 @@ def sizes(study):
             + (f" in a box of {1e3 * box['length']:.0f} x {1e3 * box['width']:.0f} mm"
                if box else "")
             + f", {len(one.runs)} seed{'s' * (len(one.runs) > 1)}, `{scene['run']['fidelity']}`"
-            + f" with mass scale {scene['numerics']['mass_scale']:.0e}".replace("e+0", "e"))
+            + f" with mass scale {scene['numerics']['mass_scale']:.0e}".replace("e+0", "e")
+            + (" on the smallest stones" if scene["numerics"].get("selective_mass") else ""))
 
 
 def full_rows(full):

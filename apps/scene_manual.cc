@@ -210,6 +210,10 @@ std::string scene_reference() {
       "the file over another one, whose keys and sections it replaces, or takes away with `key = "
       "\"none\"`.\n\n";
   for (const Section& section : describe(gyratory)) text += table(section, units);
+  GaugeScene gauge;
+  Section repeated = describe(gauge, 0);
+  repeated.name = "[output.gauge]";
+  text += table(repeated, units);
   for (const Section& section : describe(flow))
     if (section.name == "flow") text += table(section, units);
   text.pop_back();

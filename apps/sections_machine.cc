@@ -13,7 +13,7 @@ constexpr const char* gyratory_test = "Olsson, Jelagin, Partl, section 3.3";
 constexpr const char* flow_test = "Olsson, Jelagin, Partl, section 3.2";
 constexpr const char* authors_code = "a hint from the authors' public code, not from the paper";
 constexpr const char* standard = "AASHTO T 312, from memory";
-constexpr const char* measured_loss = "bends as much as measured machines do (README)";
+constexpr const char* measured_loss = "our choice: bends as much as machines do, from memory";
 constexpr const char* steel = "structural steel";
 constexpr const char* ours = "our choice";
 

@@ -47,8 +47,7 @@ class Stages {
 
   void step() {
     constexpr dem::Steps steps = {bed_time_step, bed_time_step};
-    const double horizon =
-        ++steps_ % dem::check_interval == 0 ? dem::check_interval * bed_time_step : 0;
+    bool check = ++steps_ % dem::check_interval == 0;
     dem::Travel travel;
     timed(motion, [&] {
       for (dem::Wall& wall : bed_.walls) move(wall);
@@ -56,10 +55,14 @@ class Stages {
     });
     timed(lists, [&] {
       if (travel.strayed) make_lists();
-      for (std::size_t w = 0; w < bed_.walls.size(); ++w)
-        if (bed_.walls[w].moved > skin_ / 2)
-          at_walls_[w].find(bed_.stones, bed_.walls[w], skin_, leash_);
+      check |= travel.strayed;
+      for (std::size_t w = 0; w < bed_.walls.size(); ++w) {
+        if (bed_.walls[w].moved <= skin_ / 2) continue;
+        at_walls_[w].find(bed_.stones, bed_.walls[w], skin_, leash_);
+        check = true;
+      }
     });
+    const double horizon = check ? dem::check_interval * bed_time_step : 0;
     timed(pairs, [&] { pairs_.evaluate(bed_.stones, bed_time_step, horizon); });
     timed(wall_contacts, [&] {
       for (std::size_t w = 0; w < bed_.walls.size(); ++w)

@@ -26,11 +26,12 @@ std::vector<double> extra_skin(const ParticleStore& stones, double skin, double 
   std::vector<double> way(count);  // in a step [m]
   for (std::size_t i = 0; i < count; ++i) way[i] = norm(stones.velocity[i]) * dt;
   std::vector<double> ranked = way;
-  const auto fast = ranked.end() - static_cast<std::ptrdiff_t>(count / stones_per_fast + 1);
+  const auto fast = ranked.end() - static_cast<std::ptrdiff_t>(
+                                       std::min(count, count / stones_per_fast + 2));
   std::ranges::nth_element(ranked, fast);
   std::vector<double> extra(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const Reach reach = way[i] < *fast ? usual : of_fastest;
+    const Reach reach = way[i] > *fast ? of_fastest : usual;
     extra[i] = std::clamp(way[i] * reach.steps - skin / 2, 0.0, reach.skins * skin);
   }
   return extra;

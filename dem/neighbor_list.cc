@@ -156,11 +156,12 @@ void NeighborList::build(const Spheres& spheres, double skin, std::span<const St
   candidates = std::move(old.candidates);
   std::vector<StonePair> beside(keep.begin(), keep.end());
   const bool known = candidates.are_of(spheres);
-  const auto strays = known ? candidates.strays(spheres, skin) : std::vector<std::uint32_t>();
-  if (known && std::ssize(strays) <= 1 + count / stones_per_stray)
-    for (const std::uint32_t stone : strays) add_pairs_of(stone, spheres, skin, beside);
-  else
+  auto strays = known ? candidates.strays(spheres, skin) : std::vector<std::uint32_t>();
+  if (!known || std::ssize(strays) > 1 + count / stones_per_stray) {
     candidates.search(spheres, wide_skin(spheres, skin));
+    strays = candidates.strays(spheres, skin);  // the few whose extra is wider than the stock
+  }
+  for (const std::uint32_t stone : strays) add_pairs_of(stone, spheres, skin, beside);
 
   std::vector<std::uint32_t> kept_first;
   for (const StonePair& pair : beside) kept_first.push_back(pair.first);

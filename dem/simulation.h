@@ -41,6 +41,8 @@ class Simulation {
 
   // Walls are named in the order they are added; the reference stays valid until the next call.
   Wall& add_wall(Wall wall, const Law& law) {
+    if (const auto* driven = std::get_if<Driven>(&wall.motion))
+      wall.frame.velocity = driven->velocity;
     walls_.push_back(std::move(wall));
     wall_contacts_.emplace_back().law = law;
     stale_ = true;
@@ -113,6 +115,7 @@ void Simulation<Law>::step() {
     set_time_step(0);
     weigh(stones_, settings_.gravity);
     find_forces(0, true);  // no time has passed: nothing has slid or relaxed
+    stop_at_wall_not_finite();
     set_time_step(clock_.step());
   }
   const double dt = clock_.step();

@@ -38,7 +38,7 @@ that a run loses is off by 5 % of what the full body answers to the same loads.
 STEEL = 210e9  # [Pa]
 BASE = {"stones.count": "150", "mould.diameter": "36 mm", "gyration.ramp": "0.2 s",
         "gyration.count": "0.5", "output.picture_interval": "0 s", "output.movie": "false",
-        "mould.elastic.modes": "20",
+        "mould.elastic.modes": "20", "numerics.selective_mass": "false",
         "head.elastic.shaft_diameter": "14 mm", "mould.elastic.height": "90 mm"}
 RIGID = {"head.elastic": "none", "mould.elastic": "none"}
 SEEDS = ("1", "2", "3", "4")

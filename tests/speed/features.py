@@ -77,7 +77,7 @@ def main():
             seconds, most = spent(line + ["--out", folder, "--quiet"])
             with open(os.path.join(folder, "summary.json")) as file:
                 summary = json.load(file)
-        seconds -= start + summary.get("steel_setup_seconds", 0)
+        seconds -= start + summary["seconds_steel_setup"]
         count, elements = libraries(program)
         print(f"| {label} | {memory} B | {1e6 * seconds / summary['steps']:.0f} | {1e3 * start:.0f} ms "
               f"| {most:.0f} MB | {count} | {elements} |", flush=True)

@@ -27,8 +27,9 @@ struct Stones {
   std::vector<Vec3d> position;
   std::vector<double> radius;
   std::vector<std::uint32_t> id;
+  std::vector<double> extra = {};
 
-  Spheres spheres() const { return {position, radius, id}; }
+  Spheres spheres() const { return {position, radius, id, extra}; }
 };
 
 // A permutation of 0 ... count - 1.
@@ -78,7 +79,8 @@ Pairs by_brute_force(const Stones& s) {
   Pairs pairs;
   for (std::uint32_t i = 0; i < s.id.size(); ++i) {
     for (std::uint32_t j = 0; j < i; ++j) {
-      if (norm(s.position[i] - s.position[j]) < s.radius[i] + s.radius[j] + skin) {
+      const double extra = s.extra.empty() ? 0 : s.extra[i] + s.extra[j];
+      if (norm(s.position[i] - s.position[j]) < s.radius[i] + s.radius[j] + skin + extra) {
         const StonePair pair = oriented(s, i, j);
         pairs.emplace_back(pair.first, pair.second);
       }
@@ -153,6 +155,14 @@ TEST(neighbor_list, it_stays_complete_while_few_stones_stray_without_a_search_fo
     ASSERT_EQ(pairs_of(list), by_brute_force(stones)) << "after " << n << " moves";
     ASSERT_EQ(norm(list.candidates.position[3] - stock[3]), 0);
   }
+}
+
+TEST(neighbor_list, it_holds_what_fast_stones_may_reach) {
+  // Reference: the slow and obvious search; the extras are wider than the stock of candidates.
+  Stones stones = random_stones(700, 0.1, 0, 1);
+  stones.extra.assign(700, 0.5 * skin);
+  for (const std::uint32_t k : {3, 77, 310}) stones.extra[k] = 20 * skin;
+  EXPECT_EQ(pairs_of(list_of(stones)), by_brute_force(stones));
 }
 
 TEST(neighbor_list, stones_all_in_one_place_are_all_neighbors) {
