@@ -58,6 +58,11 @@ def lowest(run):
     return 1e3 * np.min(run.columns["uplift"])
 
 
+def rise(run):
+    """Uplift from its lowest to the end [mm]."""
+    return uplift(run) - lowest(run)
+
+
 def sinking(run):
     """Uplift by the bed's own weight, before the strip presses with 1 kPa [mm]."""
     return 1e3 * run.columns["uplift"][np.argmax(run.columns["pressure"] > 1e3)]
@@ -125,9 +130,12 @@ def rows(gyratory, flow, pressed):
     """Every statement of the paper: what was found, whether it agrees, and a remark; broken stones
     are counted in `pressed`."""
     least, most, sunk = mean(flow, lowest), mean(flow, uplift), mean(flow, sinking)
+    risen = mean(flow, rise)
     yield ("Initially a compression, eventually an uplift (3.2)",
-           f"lowest {least[0]:.2f} mm, at the end {most[0]:+.2f} mm (+-{most[1]:.2g})",
-           "agrees" if least[0] < 0 < most[0] - 2 * most[1] else "not shown",
+           f"lowest {least[0]:.2f} mm, from there up by {risen[0]:.2f} (+-{risen[1]:.2g}) to "
+           f"{most[0]:+.2f} mm (+-{most[1]:.2g})",
+           "agrees" if least[0] < 0 < most[0] - 2 * most[1]
+           else "in part" if least[0] < 0 < risen[0] - 2 * risen[1] else "not shown",
            f"{sunk[0]:.2f} mm under its weight, before the strip presses with 1 kPa; "
            f"the strip goes {1e3 * depth(flow):.0f} mm deep")
     yield ("The uplift increases with decreasing temperature (3.2)",
@@ -267,7 +275,7 @@ Flow test: {sizes(flow)}.
 Gyratory compaction: {sizes(gyratory)}, two gyrations.
 `paper_flow.toml` is the flow test in half the box, for some minutes. "Agrees" and "against" are said
 where the difference is beyond twice its standard error over configurations and seeds, paired where
-two are compared.
+two are compared; "in part": the uplift rises, but not above where the bed began.
 
 ![Figures 3 and 4 anew](paper.png)
 

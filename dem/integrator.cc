@@ -26,8 +26,8 @@ std::vector<double> extra_skin(const ParticleStore& stones, double skin, double 
   std::vector<double> way(count);  // in a step [m]
   for (std::size_t i = 0; i < count; ++i) way[i] = norm(stones.velocity[i]) * dt;
   std::vector<double> ranked = way;
-  const auto fast = ranked.end() - static_cast<std::ptrdiff_t>(
-                                       std::min(count, count / stones_per_fast + 2));
+  const auto fast =
+      ranked.end() - static_cast<std::ptrdiff_t>(std::min(count, count / stones_per_fast + 2));
   std::ranges::nth_element(ranked, fast);
   std::vector<double> extra(count);
   for (std::size_t i = 0; i < count; ++i) {

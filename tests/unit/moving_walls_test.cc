@@ -140,8 +140,9 @@ TEST(moving_walls, a_stone_outside_the_mould_stops_the_run_by_name) {
   }
 }
 
-// From the promise of dem/time_step.h, with steps in which a wall goes a third of the skin: the step
-// at the first touch of a wall that starts at `gap` [m] is that of a contact pressed by one step.
+// From the promise of dem/time_step.h, with steps in which a wall goes a third of the skin: the
+// step at the first touch of a wall that starts at `gap` [m] is that of a contact pressed by one
+// step.
 void expect_a_short_step_at_touch(double gap) {
   dem::Settings settings;
   settings.largest_step = 1e-4;
