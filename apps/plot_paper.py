@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Holds the paper against its study: plot_paper.py GYRATORY_DIR FLOW_DIR [--full DIR] [--out DIR]
+"""Holds the paper against its study: plot_paper.py GYRATORY_DIR FLOW_DIR [--full DIR]
+[--small DIR] [--out DIR]
 
-Takes what trade left of apps/scenes/studies/paper_gyratory.toml, paper_flow_5000.toml (or, smaller,
-paper_flow.toml) and, with --full, paper_gyratory_5000.toml, draws the figures of Olsson, Jelagin & Partl anew (paper.png: 3a, 3b, 4a,
+Takes what trade left of apps/scenes/studies/paper_gyratory.toml, paper_flow_5000.toml, with --full
+of paper_gyratory_5000.toml and with --small of paper_flow.toml, draws the figures of Olsson, Jelagin & Partl anew (paper.png: 3a, 3b, 4a,
 4b) and writes every statement of theirs with what is found (paper.md)."""
 import argparse
 import pathlib
@@ -126,9 +127,8 @@ def compare(runs_of, of, place, more, less, unit):
             f"(+-{error:.2g})", verdict)
 
 
-def rows(gyratory, flow, pressed):
-    """Every statement of the paper: what was found, whether it agrees, and a remark; broken stones
-    are counted in `pressed`."""
+def flow_statements(flow):
+    """The paper's statements on the flow test: what was found, whether it agrees, and a remark."""
     least, most, sunk = mean(flow, lowest), mean(flow, uplift), mean(flow, sinking)
     risen = mean(flow, rise)
     yield ("Initially a compression, eventually an uplift (3.2)",
@@ -144,6 +144,12 @@ def rows(gyratory, flow, pressed):
            *compare(flow, uplift, 2, 0, 1, "mm"), "")
     yield ("A stiffer sample at lower temperature (3.2, 3.3)",
            *compare(flow, pressure, 1, 110, 150, "kPa"), "mean pressure, second half of the way")
+    yield ("Lower temperature: more frequent damage (3.3)",
+           *compare(flow, broken, 1, 110, 150, "stones"), "flow test")
+
+
+def gyratory_statements(gyratory, pressed):
+    """The same on gyratory compaction; broken stones are counted in `pressed`."""
     count = stones_of(pressed)
     most_broken = max(mix.values(broken).max() for mix in pressed.values())
     share = mean(pressed, broken)[0] / count
@@ -151,8 +157,6 @@ def rows(gyratory, flow, pressed):
            f"0 to {most_broken:.0f} of {count}, mean {100 * share:.2g} %",
            "agrees" if share <= 4 / 5000 else "against",
            "in the mould; strength by size is the paper's")
-    yield ("Lower temperature: more frequent damage (3.3)",
-           *compare(flow, broken, 1, 110, 150, "stones"), "flow test; none breaks in the mould")
     first = mean(gyratory, lambda run: np.interp(1, run.columns["gyration"],
                                                  run.columns["air_voids_decrease"]))
     whole = mean(gyratory, decrease)
@@ -253,6 +257,7 @@ def main():
     parser.add_argument("gyratory", type=pathlib.Path)
     parser.add_argument("flow", type=pathlib.Path)
     parser.add_argument("--full", type=pathlib.Path, help="the study with 5000 stones")
+    parser.add_argument("--small", type=pathlib.Path, help="the flow test in half the box")
     parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("."))
     options = parser.parse_args()
     options.out.mkdir(parents=True, exist_ok=True)
@@ -267,22 +272,23 @@ Made by
     build/bin/trade apps/scenes/studies/paper_gyratory.toml --out paper_gyratory
     build/bin/trade apps/scenes/studies/paper_gyratory_5000.toml --out paper_gyratory_5000
     build/bin/trade apps/scenes/studies/paper_flow_5000.toml --out paper_flow_5000
+    build/bin/trade apps/scenes/studies/paper_flow.toml --out paper_flow
     python3 apps/plot_paper.py paper_gyratory paper_flow_5000 --full paper_gyratory_5000 \\
-        --out apps/docs
+        --small paper_flow --out apps/docs
 
 SMA 11 and AC 11, 110 and 150 degC, two binder contents each.
 Flow test: {sizes(flow)}.
 Gyratory compaction: {sizes(gyratory)}, two gyrations.
-`paper_flow.toml` is the flow test in half the box, for some minutes. "Agrees" and "against" are said
-where the difference is beyond twice its standard error over configurations and seeds, paired where
-two are compared; "in part": the uplift rises, but not above where the bed began.
+"Agrees" and "against" are said where the difference is beyond twice its standard error over
+configurations and seeds, paired where two are compared; "in part": the uplift rises, but not above
+where the bed began.
 
 ![Figures 3 and 4 anew](paper.png)
 
 | the paper says | found | | remark |
 |---|---|---|---|
 """
-    for row in rows(gyratory, flow, pressed):
+    for row in (*flow_statements(flow), *gyratory_statements(gyratory, pressed)):
         text += "| " + " | ".join(row) + " |\n"
     steel = """
 | quantity | elastic | rigid | difference | +- |
@@ -294,15 +300,25 @@ two are compared; "in part": the uplift rises, but not above where the bed began
 SMA 11, 150 degC, 6.6 %: elastic mould and head against rigid ones, paired by seed.
 {steel}"""
     text += "".join(steel_rows(options.gyratory))
-    text += """
-## The flow test, configuration by configuration
-
-Uplift when the strip begins to press (1 kPa), at its lowest and at the end:
-
+    configurations = """
 | configuration | begins [mm] | lowest [mm] | end [mm] | pressure, second half [kPa] | broken |
 |---|---:|---:|---:|---:|---:|
 """
+    text += f"""
+## The flow test, configuration by configuration
+
+Uplift when the strip begins to press (1 kPa), at its lowest and at the end:
+{configurations}"""
     text += "".join(flow_rows(flow))
+    if options.small:
+        small = mixes(options.small)
+        text += f"""
+The same with {sizes(small)}:
+{configurations}"""
+        text += "".join(flow_rows(small))
+        text += "\n| the paper says | found | | remark |\n|---|---|---|---|\n"
+        for row in flow_statements(small):
+            text += "| " + " | ".join(row) + " |\n"
     if options.full:
         text += f"""
 ## Gyratory compaction at the paper's 5000 stones
