@@ -1,130 +1,21 @@
 #!/usr/bin/env python3
-"""Holds the paper against its study: plot_paper.py GYRATORY_DIR FLOW_DIR [--full DIR]
-[--small DIR] [--out DIR]
+"""Holds the paper against its study:
+plot_paper.py GYRATORY_DIR FLOW_DIR [--full DIR] [--small DIR] [--out DIR]
 
-Takes what trade left of apps/scenes/studies/paper_gyratory.toml, paper_flow_5000.toml, with --full
-of paper_gyratory_5000.toml and with --small of paper_flow.toml, draws the figures of Olsson, Jelagin & Partl anew (paper.png: 3a, 3b, 4a,
-4b) and writes every statement of theirs with what is found (paper.md)."""
+Takes what trade left of apps/scenes/studies/paper_gyratory.toml and paper_flow_5000.toml, with
+--full of paper_gyratory_5000.toml and with --small of paper_flow.toml, draws the figures of Olsson,
+Jelagin & Partl anew (paper.png: 3a, 3b, 4a, 4b) and writes every statement of theirs with what is
+found (paper.md)."""
 import argparse
 import pathlib
 
 import matplotlib.pyplot as plt
 import numpy as np
 
-from plots.run import Run
+from plots.mixes import (Mix, broken, compare, decrease, depth, internal_angle, lowest, mean, mixes,
+                         name, per_decade, pressure, rise, sinking, spread, stones_of, told,
+                         traction, uplift, voids_before)
 from plots.style import BLUE, GREY, RED, STYLE
-
-MIXES = {"SMA 11": ("6.6", "7.8"), "AC 11": ("5.4", "6.6")}
-
-
-class Mix:
-    """The runs of one configuration, a seed each."""
-
-    def __init__(self, study, name):
-        self.name = name
-        word = "".join(c if c.isalnum() or c in ".-" else "_" for c in name.replace(",", ""))
-        self.runs = [Run(folder) for folder in sorted((study / "runs" / word).glob("seed_?"))
-                     if (folder / "summary.json").exists()]
-
-    def values(self, of):
-        return np.array([of(run) for run in self.runs])
-
-    def curve(self, x, y, grid):
-        return np.mean([np.interp(grid, run.columns[x], run.columns[y]) for run in self.runs],
-                       axis=0)
-
-
-def name(mix, temperature, content):
-    return f"{mix}, {temperature} degC, {content} %"
-
-
-def mixes(study):
-    return {(mix, t, k): Mix(study, name(mix, t, content)) for mix, contents in MIXES.items()
-            for t in (150, 110) for k, content in enumerate(contents)}
-
-
-def stones_of(study):
-    return next(iter(study.values())).runs[0].summary["stones"]
-
-
-def broken(run):
-    return run.columns["fractured"][-1]
-
-
-def uplift(run):
-    return 1e3 * run.columns["uplift"][-1]
-
-
-def lowest(run):
-    return 1e3 * np.min(run.columns["uplift"])
-
-
-def rise(run):
-    """Uplift from its lowest to the end [mm]."""
-    return uplift(run) - lowest(run)
-
-
-def sinking(run):
-    """Uplift by the bed's own weight, before the strip presses with 1 kPa [mm]."""
-    return 1e3 * run.columns["uplift"][np.argmax(run.columns["pressure"] > 1e3)]
-
-
-def pressure(run):
-    late = run.columns["displacement"] > 0.5 * run.columns["displacement"][-1]
-    return 1e-3 * np.mean(run.columns["pressure"][late])
-
-
-def per_decade(run):
-    """Slope of the density over the logarithm of the gyrations after the first half, in %Gmm."""
-    later = run.columns["gyration"] > 0.5
-    return np.polyfit(np.log10(run.columns["gyration"][later]),
-                      -100 * run.columns["air_voids"][later], 1)[0]
-
-
-def depth(flow):
-    """That every strip has reached [m]."""
-    return min(run.columns["displacement"][-1] for mix in flow.values() for run in mix.runs)
-
-
-def voids_before(run):
-    return 100 * run.summary["air_voids_start"]
-
-
-def decrease(run):
-    """Of the air voids, at the end [% of volume]."""
-    return 100 * run.columns["air_voids_decrease"][-1]
-
-
-def internal_angle(run):
-    return np.mean(run.columns["internal_angle"])
-
-
-def traction(run):
-    """Of the mould, mean of the gyrations [kPa]."""
-    return 1e-3 * np.mean(run.columns["mould_traction"][run.gyrating()])
-
-
-def spread(values):
-    """Their mean and its standard error, nan of a single one."""
-    error = np.std(values, ddof=1) / np.sqrt(len(values)) if len(values) > 1 else np.nan
-    return np.mean(values), error
-
-
-def mean(runs_of, of):
-    return spread(np.concatenate([mix.values(of) for mix in runs_of.values()]))
-
-
-def compare(runs_of, of, place, more, less, unit):
-    """Words on the configurations that have `more` at a place of their key against those alike but
-    for `less` there, paired by seed: is the first really larger?"""
-    pairs = [(runs_of[key].values(of), runs_of[key[:place] + (less,) + key[place + 1:]].values(of))
-             for key in runs_of if key[place] == more]
-    one, other = (np.concatenate(side) for side in zip(*pairs))
-    apart, error = spread(one - other)
-    verdict = ("agrees" if apart > 2 * error else "against" if apart < -2 * error
-               else "not told apart")
-    return (f"{one.mean():.3g} against {other.mean():.3g} {unit}, apart by {apart:.2g} "
-            f"(+-{error:.2g})", verdict)
 
 
 def flow_statements(flow):
@@ -171,6 +62,11 @@ def gyratory_statements(gyratory, pressed):
            "([trade.md](trade.md)); the binder never relaxes wholly; range from memory")
 
 
+def table_of(statements):
+    text = "\n| the paper says | found | | remark |\n|---|---|---|---|\n"
+    return text + "".join("| " + " | ".join(row) + " |\n" for row in statements)
+
+
 def steel_rows(study):
     """What the steel changes, quantity by quantity, in one configuration."""
     chosen = name("SMA 11", 150, "6.6")
@@ -213,11 +109,6 @@ def full_rows(full):
         yield (f"| {mix.name} | {told(mix, voids_before, '.1f')} | {told(mix, decrease, '.2f')} "
                f"| {told(mix, traction, '.0f')} | {told(mix, internal_angle, '.4f')} "
                f"| {', '.join(f'{n:.0f}' for n in mix.values(broken))} |\n")
-
-
-def told(mix, of, digits):
-    value, error = spread(mix.values(of))
-    return f"{value:{digits}}" + (f" +- {error:{digits}}" if np.isfinite(error) else "")
 
 
 def draw(gyratory, flow, pressed, out):
@@ -284,12 +175,8 @@ configurations and seeds, paired where two are compared; "in part": the uplift r
 where the bed began.
 
 ![Figures 3 and 4 anew](paper.png)
-
-| the paper says | found | | remark |
-|---|---|---|---|
 """
-    for row in (*flow_statements(flow), *gyratory_statements(gyratory, pressed)):
-        text += "| " + " | ".join(row) + " |\n"
+    text += table_of((*flow_statements(flow), *gyratory_statements(gyratory, pressed)))
     steel = """
 | quantity | elastic | rigid | difference | +- |
 |---|---:|---:|---:|---:|
@@ -315,10 +202,7 @@ Uplift when the strip begins to press (1 kPa), at its lowest and at the end:
         text += f"""
 The same with {sizes(small)}:
 {configurations}"""
-        text += "".join(flow_rows(small))
-        text += "\n| the paper says | found | | remark |\n|---|---|---|---|\n"
-        for row in flow_statements(small):
-            text += "| " + " | ".join(row) + " |\n"
+        text += "".join(flow_rows(small)) + table_of(flow_statements(small))
     if options.full:
         text += f"""
 ## Gyratory compaction at the paper's 5000 stones
