@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "dem/fracture.h"
+#include "dem/cracks.h"
 #include "dem/integrator.h"
 #include "dem/neighbor_list.h"
 #include "dem/pair_contacts.h"
@@ -35,6 +35,7 @@ class Simulation {
   Simulation(ParticleStore stones, const Law& pair_law, Settings settings)
       : settings_(settings),
         stones_(std::move(stones)),
+        cracks_(settings.fracture),
         clock_(settings.safety, settings.largest_step) {
     pairs_.law = pair_law;
   }
@@ -72,7 +73,7 @@ class Simulation {
   const ParticleStore& stones() const { return stones_; }
   std::vector<Wall>& walls() { return walls_; }
   const std::vector<Wall>& walls() const { return walls_; }
-  const std::vector<Crack>& cracks() const { return cracks_; }
+  const std::vector<Crack>& cracks() const { return cracks_.all(); }
   std::vector<int> coordination() const;  // stones that touch each stone, by place
   const PairContacts<Law>& pairs() const { return pairs_; }
   const WallContacts<Law>& wall_contacts(std::size_t wall) const { return wall_contacts_[wall]; }
@@ -86,9 +87,6 @@ class Simulation {
   void stop_at_wall_not_finite() const;
   void refresh_neighbors();
   void find_forces(double dt, bool check);
-  void break_stones();
-  void soften_stones();
-  std::vector<std::vector<StoneLoad>> loads_on(const std::vector<std::int32_t>& places) const;
   void inspect(const Extremes& pair, const std::vector<Extremes>& walls);
   void set_time_step(double dt);  // of the laws, 0 for a jump [s]
 
@@ -99,7 +97,7 @@ class Simulation {
   std::vector<WallContacts<Law>> wall_contacts_;
   NeighborList list_;
   std::vector<Leash> leash_;  // since the lists were made
-  std::vector<Crack> cracks_;
+  Cracks cracks_;
   StepClock clock_;
   std::string limiting_ = "nothing in contact";
   double time_ = 0, drag_ = 0;
@@ -148,8 +146,9 @@ void Simulation<Law>::find_forces(double dt, bool check) {
   for (std::size_t w = 0; w < walls_.size(); ++w)
     at_walls.push_back(wall_contacts_[w].evaluate(stones_, walls_[w], dt, horizon));
   if constexpr (Law::breaks) {
-    break_stones();
-    if (steps_ % check_interval == 0) soften_stones();
+    const Contacts<Law> contacts = {pairs_, wall_contacts_};
+    cracks_.open(stones_, contacts, time_);
+    if (steps_ % check_interval == 0) cracks_.soften(stones_, contacts, time_);
   }
   if (check) inspect(pair, at_walls);
 }
@@ -267,7 +266,7 @@ void Simulation<Law>::visit_state(Visit& visit) {
     wall_contacts_[w].visit_state(visit, walls_[w].name + ".contacts.");
   }
   visit("leash", leash_);
-  visit("cracks", cracks_);
+  cracks_.visit_state(visit);
   visit("clock", clock_);
   visit("limiting", limiting_);
   visit("time", time_);
@@ -288,62 +287,6 @@ std::vector<int> Simulation<Law>::coordination() const {
     ++touching[pairs_.second(s)];
   }
   return touching;
-}
-
-template <ContactLaw Law>
-void Simulation<Law>::break_stones() {
-  const std::vector<std::int32_t> places = overloaded(stones_);
-  if (places.empty()) return;
-  const auto loads = loads_on(places);
-  for (std::size_t n = 0; n < places.size(); ++n) {
-    cracks_.push_back(crack_of(stones_.id[places[n]], time_, loads[n]));
-    // Cracked; soften_stones goes on from here.
-    stones_.softness[places[n]] = std::nextafter(1.0, 2.0);
-  }
-}
-
-template <ContactLaw Law>
-void Simulation<Law>::soften_stones() {
-  if (cracks_.empty()) return;
-  std::vector<std::int32_t> place(stones_.size()), cracked;
-  for (std::size_t k = 0; k < place.size(); ++k)
-    place[stones_.id[k]] = static_cast<std::int32_t>(k);
-  for (const Crack& crack : cracks_) cracked.push_back(place[crack.stone]);
-  const auto loads = loads_on(cracked);
-  for (std::size_t n = 0; n < cracks_.size(); ++n) {
-    Crack& crack = cracks_[n];
-    const std::int32_t k = cracked[n];
-    const Vec3d turned = crack.direction +
-                         cross(stones_.spin[k], crack.direction) * (check_interval * clock_.step());
-    crack.direction = turned * (1 / norm(turned));
-    const double share = 1 / stones_.softness[k];
-    const double target = stiffness_share(settings_.fracture, crack, loads[n]);
-    stones_.softness[k] = 1 / (share + settings_.fracture.lag * (target - share));
-  }
-}
-
-// The stone contact forces on each of the stones at `places`.
-template <ContactLaw Law>
-std::vector<std::vector<StoneLoad>> Simulation<Law>::loads_on(
-    const std::vector<std::int32_t>& places) const {
-  std::vector<std::vector<StoneLoad>> loads(places.size());
-  std::vector<std::int32_t> asked(stones_.size(), -1);
-  for (std::size_t n = 0; n < places.size(); ++n) asked[places[n]] = static_cast<std::int32_t>(n);
-  const std::vector<SlotForce> forces = pairs_.forces(stones_);
-  for (std::size_t s = 0; s < forces.size(); ++s) {
-    const double crush = forces[s].crush;
-    const std::int32_t i = pairs_.first(s), j = pairs_.second(s);
-    if (crush <= 0 || (asked[i] < 0 && asked[j] < 0)) continue;
-    const Vec3d apart = stones_.position[i] - stones_.position[j];
-    const double radius =
-        stones_.radius[i] * stones_.radius[j] / (stones_.radius[i] + stones_.radius[j]);
-    const StoneLoad load = {apart * (1 / norm(apart)), crush * radius * radius, crush};
-    for (const std::int32_t k : {i, j})
-      if (asked[k] >= 0) loads[asked[k]].push_back(load);
-  }
-  for (std::size_t n = 0; n < places.size(); ++n)
-    for (const auto& contacts : wall_contacts_) contacts.add_load(stones_, places[n], loads[n]);
-  return loads;
 }
 
 }  // namespace dem

@@ -10,7 +10,6 @@
 #include <variant>
 #include <vector>
 
-#include "dem/fracture.h"
 #include "dem/integrator.h"
 #include "dem/pair_contacts.h"
 #include "dem/wall.h"
@@ -43,11 +42,6 @@ class WallContacts {
   // dt and horizon as of the pairs.
   template <class T = Pack>
   Extremes evaluate(ParticleStore& particles, Wall& wall, double dt, double horizon = 0);
-
-  // Appends the stone contact force on the stone at `place`, if there is one (laws that break
-  // only).
-  void add_load(const ParticleStore& particles, std::size_t place,
-                std::vector<StoneLoad>& loads) const;
 
   // Power of the stones on the bending of an elastic wall's face [W].
   double bending_power(const Wall& wall) const;
@@ -267,20 +261,6 @@ void WallContacts<Law>::put(ParticleStore& particles, std::int64_t slot,
     store_quad(load_quad(load) + force, load);
     store_quad(joined<Law::breaks>(load_quad(load + 4), results.torque[at]), load + 4);
   }
-}
-
-template <ContactLaw Law>
-void WallContacts<Law>::add_load(const ParticleStore& particles, std::size_t place,
-                                 std::vector<StoneLoad>& loads) const {
-  const auto end = stones.begin() + slots_;
-  const auto found = std::lower_bound(stones.begin(), end, static_cast<std::int32_t>(place));
-  if (found == end || *found != static_cast<std::int32_t>(place)) return;
-  const Touch& touch = touches_[found - stones.begin()];
-  if (touch.action.crush <= 0) return;
-  const Vec3d arm = particles.position[place] - touch.point;
-  const double radius = particles.radius[place];
-  loads.push_back(
-      {arm * (1 / norm(arm)), touch.action.crush * radius * radius, touch.action.crush});
 }
 
 template <ContactLaw Law>

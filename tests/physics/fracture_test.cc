@@ -111,21 +111,24 @@ TEST(fracture, stiffness_given_back_bears_later_load_only) {
   EXPECT_EQ(contact.move(d, 1e-6).push, whole(d));
 }
 
-// A stone squeezed between a fixed and a driven plate.
-Simulation<Law> squeeze(double strength) {
+// A stone squeezed between a fixed and a driven plate, which do not hold it if it spins.
+Simulation<Law> squeeze(double strength, const Vec3d& spin = {0, 0, 0}) {
   ParticleStore stones = make_stones({{0, 0, 4e-3}}, {4e-3}, 2650, 0, 1);
   make_breakable(stones, {strength});
+  stones.spin[0] = spin;
+  Mindlin<> plate = stone;
+  if (norm(spin) > 0) plate.friction = 0;
   Settings settings;
   settings.gravity = 0;
   settings.largest_step = 2e-7;
   settings.skin = 1e-3;
   Simulation<Law> press(stones, {stone}, settings);
-  press.add_wall({"base", Plane{}, {}}, {stone});
+  press.add_wall({"base", Plane{}, {}}, {plate});
   Frame top;
   top.origin = {0, 0, 8e-3};
   top.ey = {0, -1, 0};
   top.ez = {0, 0, -1};
-  press.add_wall({"top", Plane{}, top, Driven{{0, 0, -0.02}}}, {stone});
+  press.add_wall({"top", Plane{}, top, Driven{{0, 0, -0.02}}}, {plate});
   return press;
 }
 
@@ -151,6 +154,19 @@ TEST(fracture, a_squeezed_stone_breaks_when_its_strength_is_reached_and_only_onc
          press.walls()[0].push / std::pow(0.5 * 0.02 * press.time(), 1.5) / whole, 0.1,
          absolute(0.01), "residual of the rule"});
   EXPECT_EQ(press.cracks().size(), 1u);
+}
+
+TEST(fracture, a_crack_turns_with_its_stone) {
+  // Rigid rotation: by spin x time, from the break to the last of the looks every 16 steps.
+  const double rate = 500;
+  Simulation<Law> press = squeeze(20e6, {rate, 0, 0});
+  while (press.cracks().empty()) press.step();
+  const Vec3d before = press.cracks()[0].direction;
+  for (int n = 0; n < 5000; ++n) press.step();
+  const double turn = rate * (press.time() - press.cracks()[0].time);
+  check({"angle that a crack has turned by", "rad",
+         std::acos(dot(before, press.cracks()[0].direction)), turn,
+         absolute(rate * check_interval * press.time_step()), "spin x time, up to the last look"});
 }
 
 TEST(fracture, a_stone_below_its_strength_stays_whole) {
