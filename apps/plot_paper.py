@@ -1,21 +1,29 @@
 #!/usr/bin/env python3
-"""Holds the paper against its study:
-plot_paper.py GYRATORY_DIR FLOW_DIR [--full DIR] [--small DIR] [--out DIR]
+"""Holds the paper against studies of its mixes: plot_paper.py STUDY_DIR ... [--page paper.md]
 
-Takes what trade left of apps/scenes/studies/paper_gyratory.toml and paper_flow_5000.toml, with
---full of paper_gyratory_5000.toml and with --small of paper_flow.toml, draws the figures of Olsson,
-Jelagin & Partl anew (paper.png: 3a, 3b, 4a, 4b) and writes every statement of theirs with what is
-found (paper.md)."""
+Takes what trade left of apps/scenes/studies/paper_*.toml, draws the figures of Olsson, Jelagin &
+Partl anew (3a and 3b of a flow test, 4a and 4b of gyratory compaction) and writes every statement
+of theirs with what is found. A study is a section of the page, and takes the place of the one
+that had its heading; the others stay as they are."""
 import argparse
 import pathlib
+import re
+import time
 
 import matplotlib.pyplot as plt
 import numpy as np
 
 from plots.mixes import (Mix, broken, compare, decrease, depth, internal_angle, lowest, mean, mixes,
                          name, per_decade, pressure, rise, sinking, spread, stones_of, told,
-                         traction, uplift, voids_before)
+                         traction, turns, uplift, voids_before)
 from plots.style import BLUE, GREY, RED, STYLE
+
+PREAMBLE = """# The paper's study, run and compared
+
+SMA 11 and AC 11, 110 and 150 degC, two binder contents each. "Agrees" and "against" are said where
+the difference is beyond twice its standard error over configurations and seeds, paired where two
+are compared; "in part": the uplift rises, but not above where the bed began.
+"""
 
 
 def flow_statements(flow):
@@ -39,32 +47,29 @@ def flow_statements(flow):
            *compare(flow, broken, 1, 110, 150, "stones"), "flow test")
 
 
-def gyratory_statements(gyratory, pressed):
-    """The same on gyratory compaction; broken stones are counted in `pressed`."""
-    count = stones_of(pressed)
-    most_broken = max(mix.values(broken).max() for mix in pressed.values())
-    share = mean(pressed, broken)[0] / count
+def gyratory_statements(gyratory):
+    """The same on gyratory compaction."""
+    count = stones_of(gyratory)
+    most_broken = max(mix.values(broken).max() for mix in gyratory.values())
+    share = mean(gyratory, broken)[0] / count
     yield ("Fracture is very rare: 0 to 4 of 5000 stones (3.3)",
            f"0 to {most_broken:.0f} of {count}, mean {100 * share:.2g} %",
            "agrees" if share <= 4 / 5000 else "against",
            "in the mould; strength by size is the paper's")
+    if turns(gyratory) < 1.5:
+        return
     first = mean(gyratory, lambda run: np.interp(1, run.columns["gyration"],
                                                  run.columns["air_voids_decrease"]))
     whole = mean(gyratory, decrease)
     yield ("Overestimated compressibility in the first gyrations (3.3)",
-           f"{100 * first[0]:.2f} % of volume after the first, {whole[0]:.2f} % after two",
+           f"{100 * first[0]:.2f} % of volume after the first, {whole[0]:.2f} % in all",
            "agrees" if 100 * first[0] > whole[0] / 2 else "against", "")
     slope = mean(gyratory, per_decade)
     yield ("(published) 6 to 8 %Gmm per decade of gyrations",
-           f"{slope[0]:.2g} (+-{slope[1]:.1g}) over gyrations 0.5 to 2",
+           f"{slope[0]:.2g} (+-{slope[1]:.1g}) from gyration 0.5 on",
            "agrees" if 6 <= slope[0] <= 8 else "against",
            "two gyrations are too few, and inertia takes its part: over fifty it comes nearer "
            "([trade.md](trade.md)); the binder never relaxes wholly; range from memory")
-
-
-def table_of(statements):
-    text = "\n| the paper says | found | | remark |\n|---|---|---|---|\n"
-    return text + "".join("| " + " | ".join(row) + " |\n" for row in statements)
 
 
 def steel_rows(study):
@@ -85,137 +90,140 @@ def flow_rows(flow):
     """What each configuration has found in the flow test, over its seeds."""
     for mix in flow.values():
         yield (f"| {mix.name} | {told(mix, sinking, '.2f')} | {told(mix, lowest, '.2f')} "
-               f"| {told(mix, uplift, '.2f')} "
-               f"| {told(mix, pressure, '.0f')} "
+               f"| {told(mix, uplift, '.2f')} | {told(mix, pressure, '.0f')} "
                f"| {', '.join(f'{n:.0f}' for n in mix.values(broken))} |\n")
 
 
-def sizes(study):
-    """Stones, seeds and inertia of a study, in words."""
-    one = next(iter(study.values()))
-    scene = one.runs[0].scene()
-    box = scene.get("flow")
-    return (f"{stones_of(study)} stones"
-            + (f" in a box of {1e3 * box['length']:.0f} x {1e3 * box['width']:.0f} mm"
-               if box else "")
-            + f", {len(one.runs)} seed{'s' * (len(one.runs) > 1)}, `{scene['run']['fidelity']}`"
-            + f" with mass scale {scene['numerics']['mass_scale']:.0e}".replace("e+0", "e")
-            + (" on the smallest stones" if scene["numerics"].get("selective_mass") else ""))
-
-
-def full_rows(full):
-    """What each configuration has found at the paper's number of stones, over its seeds."""
-    for mix in full.values():
+def gyratory_rows(gyratory):
+    """The same in the mould."""
+    for mix in gyratory.values():
         yield (f"| {mix.name} | {told(mix, voids_before, '.1f')} | {told(mix, decrease, '.2f')} "
                f"| {told(mix, traction, '.0f')} | {told(mix, internal_angle, '.4f')} "
                f"| {', '.join(f'{n:.0f}' for n in mix.values(broken))} |\n")
 
 
-def draw(gyratory, flow, pressed, out):
+def plural(count, word):
+    return f"{count} {word}{'s' * (count > 1)}"
+
+
+def conditions(study):
+    """Box, seeds and inertia of a study, in words."""
+    one = next(iter(study.values()))
+    scene = one.runs[0].scene()
+    box = scene.get("flow")
+    place = (f"In a box of {1e3 * box['length']:.0f} x {1e3 * box['width']:.0f} mm" if box
+             else f"Elastic steel, {plural(round(turns(study)), 'gyration')}")
+    return (f"{place}; {plural(len(one.runs), 'seed')}, `{scene['run']['fidelity']}`"
+            + f" with mass scale {scene['numerics']['mass_scale']:.0e}".replace("e+0", "e")
+            + " on the smallest stones" * bool(scene["numerics"].get("selective_mass")))
+
+
+def looks(key):
+    """Of the curve of a configuration."""
+    return {"color": RED if key[1] == 150 else BLUE, "alpha": 1 if key[2] else 0.55,
+            "linestyle": "-" if key[0].startswith("SMA") else "--"}
+
+
+def draw_flow(flow, left, right):
+    way = np.linspace(0, depth(flow), 200)[1:]
+    for key, mix in flow.items():
+        left.plot(1e3 * way, 1e-3 * mix.curve("displacement", "pressure", way), **looks(key),
+                  label=mix.name)
+        right.plot(1e3 * way, 1e3 * mix.curve("displacement", "uplift", way), **looks(key))
+    left.set(title="Figure 3a: flow test", xlabel="displacement [mm]", ylabel="pressure [kPa]")
+    left.legend(fontsize=7)
+    right.set(title="Figure 3b", xlabel="displacement [mm]", ylabel="uplift [mm]")
+
+
+def draw_gyratory(gyratory, left, right):
+    way = np.linspace(0, turns(gyratory), 200)[1:]
+    for key, mix in gyratory.items():
+        left.plot(way, 100 * mix.curve("gyration", "air_voids_decrease", way), **looks(key),
+                  label=mix.name)
+    left.set(title="Figure 4a: gyratory compaction", xlabel="gyrations",
+             ylabel="air-void decrease [%]")
+    left.legend(fontsize=7)
+    counts = [mix.values(broken) for mix in gyratory.values()]
+    right.barh(range(len(counts)), [np.mean(n) for n in counts], color=GREY)
+    for place, seeds in enumerate(counts):
+        right.plot(seeds, [place] * len(seeds), "o", color=RED, markersize=4)
+    right.set_yticks(range(len(counts)), [mix.name for mix in gyratory.values()], fontsize=8)
+    right.invert_yaxis()
+    right.set_xlim(-0.1, max(4, 1.1 * max(n.max() for n in counts)))
+    right.set(title="Figure 4b: broken stones, dots: seeds",
+              xlabel=f"broken stones of {stones_of(gyratory)}")
+
+
+def statement_table(statements):
+    text = "\n| the paper says | found | | remark |\n|---|---|---|---|\n"
+    return text + "".join("| " + " | ".join(row) + " |\n" for row in statements)
+
+
+def flow_tables(flow):
+    return statement_table(flow_statements(flow)) + """
+Uplift when the strip begins to press (1 kPa), at its lowest and at the end:
+
+| configuration | begins [mm] | lowest [mm] | end [mm] | pressure, second half [kPa] | broken |
+|---|---:|---:|---:|---:|---:|
+""" + "".join(flow_rows(flow))
+
+
+def gyratory_tables(gyratory, folder):
+    return statement_table(gyratory_statements(gyratory)) + """
+| configuration | voids before [%] | decrease [%] | mould [kPa] | internal angle [deg] | broken |
+|---|---:|---:|---:|---:|---:|
+""" + "".join(gyratory_rows(gyratory)) + """
+What the steel changes: elastic mould and head against rigid ones, paired by seed, in SMA 11 at 150
+degC with 6.6 %.
+
+| quantity | elastic | rigid | difference | +- |
+|---|---:|---:|---:|---:|
+""" + "".join(steel_rows(folder))
+
+
+def section(folder, page):
+    """Draws a study beside the page; its heading, and all of its section."""
+    study = mixes(folder)
+    one = next(iter(study.values())).runs[0]
+    test, draw = (("Gyratory compaction", draw_gyratory) if one.gyratory
+                  else ("Flow test", draw_flow))
+    heading = f"## {test}, {stones_of(study)} stones\n"
+    picture = f"paper_{test.split()[0].lower()}_{stones_of(study)}.png"
     with plt.rc_context(STYLE):
-        figure, axes = plt.subplots(2, 2, figsize=(12, 8.5))
-        a, b, c, d = axes.flat
-        way = np.linspace(0, depth(flow), 200)[1:]
-        turns = np.linspace(0, 2, 200)[1:]
-        style = lambda key: {"color": RED if key[1] == 150 else BLUE,
-                             "alpha": 1 if key[2] else 0.55,
-                             "linestyle": "-" if key[0].startswith("SMA") else "--"}
-        for key, mix in flow.items():
-            a.plot(1e3 * way, 1e-3 * mix.curve("displacement", "pressure", way), **style(key),
-                   label=mix.name)
-            b.plot(1e3 * way, 1e3 * mix.curve("displacement", "uplift", way), **style(key))
-        for key, mix in gyratory.items():
-            c.plot(turns, 100 * mix.curve("gyration", "air_voids_decrease", turns), **style(key))
-        a.set(title="Figure 3a: flow test", xlabel="displacement [mm]", ylabel="pressure [kPa]")
-        a.legend(fontsize=7)
-        b.set(title="Figure 3b", xlabel="displacement [mm]", ylabel="uplift [mm]")
-        c.set(title="Figure 4a: gyratory compaction", xlabel="gyrations",
-              ylabel="air-void decrease [%]")
-        counts = [mix.values(broken) for mix in pressed.values()]
-        d.barh(range(len(counts)), [np.mean(n) for n in counts], color=GREY)
-        for place, seeds in enumerate(counts):
-            d.plot(seeds, [place] * len(seeds), "o", color=RED, markersize=4)
-        d.set_yticks(range(len(counts)), [mix.name for mix in pressed.values()], fontsize=8)
-        d.invert_yaxis()
-        d.set_xlim(-0.1, max(4, 1.1 * max(n.max() for n in counts)))
-        d.set(title="Figure 4b: broken stones, dots: seeds",
-              xlabel=f"broken stones of {stones_of(pressed)}")
-        figure.savefig(out / "paper.png", dpi=100)
+        figure, axes = plt.subplots(1, 2, figsize=(12, 4.3))
+        draw(study, *axes)
+        figure.savefig(page.parent / picture, dpi=100)
+    made = time.strftime("%Y-%m-%d", time.gmtime((one.folder / "summary.json").stat().st_mtime))
+    own = folder.resolve().name
+    return heading, heading + f"""
+Made on {made} by
+
+    build/bin/trade apps/scenes/studies/{own}.toml --out {own}
+    python3 apps/plot_paper.py {own} --page apps/docs/paper.md
+
+{conditions(study)}.
+
+![the paper's figures anew]({picture})
+""" + (gyratory_tables(study, folder) if one.gyratory else flow_tables(study))
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("gyratory", type=pathlib.Path)
-    parser.add_argument("flow", type=pathlib.Path)
-    parser.add_argument("--full", type=pathlib.Path, help="the study with 5000 stones")
-    parser.add_argument("--small", type=pathlib.Path, help="the flow test in half the box")
-    parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("."))
+    parser.add_argument("studies", type=pathlib.Path, nargs="+")
+    parser.add_argument("--page", type=pathlib.Path, default=pathlib.Path("paper.md"))
     options = parser.parse_args()
-    options.out.mkdir(parents=True, exist_ok=True)
-    gyratory, flow = mixes(options.gyratory), mixes(options.flow)
-    full = mixes(options.full) if options.full else None
-    pressed = full or gyratory
-    draw(gyratory, flow, pressed, options.out)
-    text = f"""# The paper's study, run and compared
-
-Made by
-
-    build/bin/trade apps/scenes/studies/paper_gyratory.toml --out paper_gyratory
-    build/bin/trade apps/scenes/studies/paper_gyratory_5000.toml --out paper_gyratory_5000
-    build/bin/trade apps/scenes/studies/paper_flow_5000.toml --out paper_flow_5000
-    build/bin/trade apps/scenes/studies/paper_flow.toml --out paper_flow
-    python3 apps/plot_paper.py paper_gyratory paper_flow_5000 --full paper_gyratory_5000 \\
-        --small paper_flow --out apps/docs
-
-SMA 11 and AC 11, 110 and 150 degC, two binder contents each.
-Flow test: {sizes(flow)}.
-Gyratory compaction: {sizes(gyratory)}, two gyrations.
-"Agrees" and "against" are said where the difference is beyond twice its standard error over
-configurations and seeds, paired where two are compared; "in part": the uplift rises, but not above
-where the bed began.
-
-![Figures 3 and 4 anew](paper.png)
-"""
-    text += table_of((*flow_statements(flow), *gyratory_statements(gyratory, pressed)))
-    steel = """
-| quantity | elastic | rigid | difference | +- |
-|---|---:|---:|---:|---:|
-"""
-    text += f"""
-## What the steel changes
-
-SMA 11, 150 degC, 6.6 %: elastic mould and head against rigid ones, paired by seed.
-{steel}"""
-    text += "".join(steel_rows(options.gyratory))
-    configurations = """
-| configuration | begins [mm] | lowest [mm] | end [mm] | pressure, second half [kPa] | broken |
-|---|---:|---:|---:|---:|---:|
-"""
-    text += f"""
-## The flow test, configuration by configuration
-
-Uplift when the strip begins to press (1 kPa), at its lowest and at the end:
-{configurations}"""
-    text += "".join(flow_rows(flow))
-    if options.small:
-        small = mixes(options.small)
-        text += f"""
-The same with {sizes(small)}:
-{configurations}"""
-        text += "".join(flow_rows(small)) + table_of(flow_statements(small))
-    if options.full:
-        text += f"""
-## Gyratory compaction at the paper's 5000 stones
-
-Elastic steel, one gyration; {sizes(full)}:
-
-| configuration | voids before [%] | decrease [%] | mould [kPa] | internal angle [deg] | broken |
-|---|---:|---:|---:|---:|---:|
-"""
-        text += "".join(full_rows(full))
-        text += f"\nThe steel at this size:\n{steel}" + "".join(steel_rows(options.full))
-    (options.out / "paper.md").write_text(text)
-    print(text)
+    options.page.parent.mkdir(parents=True, exist_ok=True)
+    text = options.page.read_text() if options.page.exists() else PREAMBLE
+    for folder in options.studies:
+        heading, words = section(folder, options.page)
+        print(words)
+        before = re.search(rf"^{re.escape(heading)}.*?(?=^## |\Z)", text, re.MULTILINE | re.DOTALL)
+        if before:
+            rest = text[before.end():]
+            text = text[:before.start()] + words + ("\n" + rest if rest else "")
+        else:
+            text += "\n" + words
+    options.page.write_text(text)
 
 
 if __name__ == "__main__":

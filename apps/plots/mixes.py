@@ -76,6 +76,11 @@ def depth(flow):
     return min(run.columns["displacement"][-1] for mix in flow.values() for run in mix.runs)
 
 
+def turns(gyratory):
+    """Gyrations that every run has done."""
+    return min(run.columns["gyration"][-1] for mix in gyratory.values() for run in mix.runs)
+
+
 def voids_before(run):
     return 100 * run.summary["air_voids_start"]
 

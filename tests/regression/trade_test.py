@@ -136,15 +136,26 @@ class Trade(SmallRuns):
                 self.write_run("gyratory", name, seed, gyratory)
                 if name.startswith("SMA_11_150_degC_6.6"):
                     self.write_run("gyratory", name + "_rigid_steel", seed, gyratory)
-        answer = run_script("plot_paper.py", self.folder("gyratory"), self.folder("flow"),
-                            "--out", self.out)
+        page = os.path.join(self.out, "paper.md")
+        os.makedirs(self.out)
+        with open(page, "w") as file:
+            file.write("# Ours\n\n## Flow test, 7 stones\n\nas before\n\n## Another study\n\nkept\n")
+        answer = run_script("plot_paper.py", self.folder("flow"), self.folder("gyratory"),
+                            "--page", page)
         self.assertEqual(answer.returncode, 0, answer.stderr)
         self.assertRegex(answer.stdout, r"decreasing temperature .* apart by 1 .* agrees")
         self.assertRegex(answer.stdout, r"decreasing binder .* apart by 0 .* not told apart")
         self.assertRegex(answer.stdout, r"A stiffer sample .* against \|")
         self.assertRegex(answer.stdout, r"AC 11, 110 degC, 6.6 % .* 2.15 \+- 0.05 ")
-        self.assertRegex(answer.stdout, r"7 stones in a box of 150 x 100 mm, 2 seeds")
-        self.assertTrue(os.path.exists(os.path.join(self.out, "paper.png")))
+        self.assertIn("In a box of 150 x 100 mm; 2 seeds, `draft` with mass scale 1e4.",
+                      answer.stdout)
+        # The flow test takes its old place, the gyrations come last, the other section stays.
+        with open(page) as file:
+            headings = [line for line in file if line.startswith("#") or "as before" in line]
+        self.assertEqual(headings, ["# Ours\n", "## Flow test, 7 stones\n", "## Another study\n",
+                                    "## Gyratory compaction, 7 stones\n"])
+        for picture in ("paper_flow_7.png", "paper_gyratory_7.png"):
+            self.assertTrue(os.path.exists(os.path.join(self.out, picture)))
 
     def write_run(self, study, setting, seed, columns):
         folder = os.path.join(self.folder(study), "runs", setting, f"seed_{seed}")
