@@ -14,7 +14,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from plots.mixes import (Mix, broken, compare, decrease, depth, internal_angle, lowest, mean, mixes,
-                         name, per_decade, pressure, rise, sinking, spread, stones_of, told,
+                         name, paired, per_decade, pressure, rise, sinking, spread, stones_of, told,
                          traction, turns, uplift, voids_before)
 from plots.style import BLUE, GREY, RED, STYLE
 
@@ -80,7 +80,7 @@ def steel_rows(study):
                             ("air-void decrease", "%", decrease),
                             ("traction of the mould", "kPa", traction),
                             ("broken stones", "-", broken)):
-        one, other = elastic.values(of), rigid.values(of)
+        one, other = paired(elastic, rigid, of)
         apart, error = spread(one - other)
         yield (f"| {words} [{unit}] | {np.mean(one):.4g} | {np.mean(other):.4g} | {apart:+.2g} "
                f"| {error:.1g} |\n")
@@ -115,7 +115,9 @@ def conditions(study):
              else f"Elastic steel, {plural(round(turns(study)), 'gyration')}")
     return (f"{place}; {plural(len(one.runs), 'seed')}, `{scene['run']['fidelity']}`"
             + f" with mass scale {scene['numerics']['mass_scale']:.0e}".replace("e+0", "e")
-            + " on the smallest stones" * bool(scene["numerics"].get("selective_mass")))
+            + " on the smallest stones" * bool(scene["numerics"].get("selective_mass"))
+            + "".join(f". Left out, {mix.name}, {seed}: {why.strip()}"
+                      for mix in study.values() for seed, why in mix.stopped.items()))
 
 
 def looks(key):

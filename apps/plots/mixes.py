@@ -8,13 +8,15 @@ MIXES = {"SMA 11": ("6.6", "7.8"), "AC 11": ("5.4", "6.6")}
 
 
 class Mix:
-    """The runs of one configuration, a seed each."""
+    """The runs of one configuration that came to their end, a seed each, and why others stopped."""
 
     def __init__(self, study, name):
         self.name = name
         word = "".join(c if c.isalnum() or c in ".-" else "_" for c in name.replace(",", ""))
-        self.runs = [Run(folder) for folder in sorted((study / "runs" / word).glob("seed_?"))
+        place = study / "runs" / word
+        self.runs = [Run(folder) for folder in sorted(place.glob("seed_?"))
                      if (folder / "summary.json").exists()]
+        self.stopped = {path.stem: path.read_text() for path in sorted(place.glob("seed_?.stopped"))}
 
     def values(self, of):
         return np.array([of(run) for run in self.runs])
@@ -22,6 +24,13 @@ class Mix:
     def curve(self, x, y, grid):
         return np.mean([np.interp(grid, run.columns[x], run.columns[y]) for run in self.runs],
                        axis=0)
+
+
+def paired(one, other, of):
+    """The values of two configurations with the seeds that both have."""
+    found = [{run.name: of(run) for run in mix.runs} for mix in (one, other)]
+    both = sorted(found[0].keys() & found[1].keys())
+    return [np.array([values[seed] for seed in both]) for values in found]
 
 
 def name(mix, temperature, content):
@@ -112,7 +121,7 @@ def mean(runs_of, of):
 def compare(runs_of, of, place, more, less, unit):
     """Words on the configurations that have `more` at a place of their key against those alike but
     for `less` there, paired by seed: is the first really larger?"""
-    pairs = [(runs_of[key].values(of), runs_of[key[:place] + (less,) + key[place + 1:]].values(of))
+    pairs = [paired(runs_of[key], runs_of[key[:place] + (less,) + key[place + 1:]], of)
              for key in runs_of if key[place] == more]
     one, other = (np.concatenate(side) for side in zip(*pairs))
     apart, error = spread(one - other)

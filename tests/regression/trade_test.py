@@ -136,6 +136,11 @@ class Trade(SmallRuns):
                 self.write_run("gyratory", name, seed, gyratory)
                 if name.startswith("SMA_11_150_degC_6.6"):
                     self.write_run("gyratory", name + "_rigid_steel", seed, gyratory)
+        # Of one mix a run stopped: left out, and told.
+        stopped = os.path.join(self.folder("flow"), "runs", "AC_11_110_degC_5.4__", "seed_2")
+        os.remove(os.path.join(stopped, "summary.json"))
+        with open(stopped + ".stopped", "w") as file:
+            file.write("stopped: stone 3\n")
         page = os.path.join(self.out, "paper.md")
         os.makedirs(self.out)
         with open(page, "w") as file:
@@ -147,8 +152,8 @@ class Trade(SmallRuns):
         self.assertRegex(answer.stdout, r"decreasing binder .* apart by 0 .* not told apart")
         self.assertRegex(answer.stdout, r"A stiffer sample .* against \|")
         self.assertRegex(answer.stdout, r"AC 11, 110 degC, 6.6 % .* 2.15 \+- 0.05 ")
-        self.assertIn("In a box of 150 x 100 mm; 2 seeds, `draft` with mass scale 1e4.",
-                      answer.stdout)
+        self.assertIn("In a box of 150 x 100 mm; 2 seeds, `draft` with mass scale 1e4. Left out, "
+                      "AC 11, 110 degC, 5.4 %, seed_2: stopped: stone 3.", answer.stdout)
         # The flow test takes its old place, the gyrations come last, the other section stays.
         with open(page) as file:
             headings = [line for line in file if line.startswith("#") or "as before" in line]
