@@ -79,7 +79,7 @@ const StudyReport::Row& StudyReport::reference() const {
 
 std::string StudyReport::line(const Row& row) const {
   std::string line = "| " + row.setting->name + " | ";
-  if (row.seconds.empty()) return line + "stopped: " + row.trouble.front() + " |\n";
+  if (row.seconds.empty()) return line + row.trouble.front() + " |\n";
   const double all = reference().seconds.empty() ? 0 : reference().mean_seconds();
   line += fmt::format("{:.3g} | {:.2g} | {:.2g} | ", row.mean_seconds(), mean_of(row.steps),
                       all / row.mean_seconds());
@@ -92,7 +92,7 @@ std::string StudyReport::line(const Row& row) const {
       line += told(j) + " | ";
   }
   if (!row.trouble.empty())
-    line += fmt::format("{} of {} runs stopped: {}", row.trouble.size(), study_.seeds.size(),
+    line += fmt::format("{} of {} runs {}", row.trouble.size(), study_.seeds.size(),
                         row.trouble.front());
   return line + "\n";
 }
