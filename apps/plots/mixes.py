@@ -68,9 +68,19 @@ def sinking(run):
     return 1e3 * run.columns["uplift"][np.argmax(run.columns["pressure"] > 1e3)]
 
 
+def late(run):
+    """The rows of the second half of a strip's way."""
+    return run.columns["displacement"] > 0.5 * run.columns["displacement"][-1]
+
+
 def pressure(run):
-    late = run.columns["displacement"] > 0.5 * run.columns["displacement"][-1]
-    return 1e-3 * np.mean(run.columns["pressure"][late])
+    return 1e-3 * np.mean(run.columns["pressure"][late(run)])
+
+
+def roughness(run):
+    """Of the pressure about its straight line, root mean square [% of its mean]."""
+    way, felt = (run.columns[name][late(run)] for name in ("displacement", "pressure"))
+    return 100 * np.std(felt - np.polyval(np.polyfit(way, felt, 1), way)) / np.mean(felt)
 
 
 def per_decade(run):
