@@ -25,6 +25,11 @@ struct Contacts {
                                                const ParticleStore& stones) const;
 };
 
+// The load of a contact on the line of centres, with its effective radius [m].
+inline StoneLoad load_along(const Vec3d& line, double crush, double radius) {
+  return {line * (1 / norm(line)), crush * radius * radius, crush};
+}
+
 class Cracks {
  public:
   explicit Cracks(FractureRule rule) : rule_(rule) {}
@@ -99,9 +104,8 @@ std::vector<std::vector<StoneLoad>> Contacts<Law>::loads_on(const std::vector<st
     const Vec3d apart = stones.position[i] - stones.position[j];
     const double radius =
         stones.radius[i] * stones.radius[j] / (stones.radius[i] + stones.radius[j]);
-    const StoneLoad load = {apart * (1 / norm(apart)), crush * radius * radius, crush};
     for (const std::int32_t k : {i, j})
-      if (asked[k] >= 0) loads[asked[k]].push_back(load);
+      if (asked[k] >= 0) loads[asked[k]].push_back(load_along(apart, crush, radius));
   }
   for (const WallContacts<Law>& wall : walls)
     for (std::int64_t s = 0; s < wall.slots(); ++s) {
@@ -109,8 +113,7 @@ std::vector<std::vector<StoneLoad>> Contacts<Law>::loads_on(const std::vector<st
       const double crush = wall.touch(s).action.crush;
       if (crush <= 0 || asked[k] < 0) continue;
       const Vec3d arm = stones.position[k] - wall.touch(s).point;
-      const double radius = stones.radius[k];
-      loads[asked[k]].push_back({arm * (1 / norm(arm)), crush * radius * radius, crush});
+      loads[asked[k]].push_back(load_along(arm, crush, stones.radius[k]));
     }
   return loads;
 }
