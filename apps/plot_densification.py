@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Draws how mixes densify: plot_densification.py DIR [--from 5] leaves DIR/densification.png and .svg,
 the density of every run of a study of gyratory compaction in per cent of its greatest (%Gmm = 100 less
 the air voids) over the logarithm of the gyrations, and prints the slope of each setting per decade of

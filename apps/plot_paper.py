@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Holds the paper against studies of its mixes: plot_paper.py STUDY_DIR ... [--page paper.md]
 
 Takes what trade left of apps/scenes/studies/paper_*.toml, draws the figures of Olsson, Jelagin &
@@ -214,7 +214,7 @@ def section(folder, page):
 Made on {made} by
 
     build/bin/trade apps/scenes/studies/{own}.toml --out {own}
-    python3 apps/plot_paper.py {own} --page apps/docs/paper.md
+    apps/plot_paper.py {own} --page apps/docs/paper.md
 
 {conditions(study)}.
 

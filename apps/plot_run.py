@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Draws runs from their results: plot_run.py DIR leaves in the run's folder
 
     run.png          the curves one looks at first

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Draws a study: plot_trade.py DIR leaves DIR/trade.png and .svg. On the left the worst error of
 each setting against its time: full where it is beyond the noise of the seeds, hollow at the middle
 of the noises where none is, and the front of those that nothing beats in both. On the right the

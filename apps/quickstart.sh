@@ -14,5 +14,5 @@ for ((number = 2; ; ++number)); do
 done
 
 build/bin/gyratory apps/scenes/gyratory_sma11_150C.toml --out "$out"
-/usr/bin/python3 apps/plot_run.py "$out" >/dev/null
+apps/plot_run.py "$out" >/dev/null
 echo "Open this in a browser: $PWD/$out/report.html"

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Renders a run from its results: render_run.py DIR leaves in DIR/renders
 
     packing.png    the stones by size, the steel cut away

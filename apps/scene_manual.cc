@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "apps/sections.h"
 
@@ -53,14 +54,10 @@ std::string repeatable(const Section& section, const std::string& name, const Un
 
 template <class Scene>
 std::string manual() {
-  const UnitSystem units;
   Scene scene;
-  std::string text;
-  for (const Section& section : describe(scene)) {
-    if (!text.empty()) text += '\n';
-    text += explained(section, '[' + section.name + ']', units);
-  }
+  std::string text = apps::manual(describe(scene));
   if constexpr (std::is_same_v<Scene, GyratoryScene>) {
+    const UnitSystem units;
     GaugeScene gauge;
     text += repeatable(describe(gauge, 0), "output.gauge", units);
   }
@@ -81,16 +78,31 @@ std::string default_cell(const Parameter& parameter, const UnitSystem& units) {
   return "absent; `" + parameter.presence.example + '`';
 }
 
-std::string table(const Section& section, const UnitSystem& units) {
+using Names = std::set<std::string>;
+
+Names names_of(const std::vector<Section>& sections) {
+  Names names;
+  for (const Section& section : sections) {
+    names.insert(section.name);
+    for (const Parameter& parameter : section.parameters)
+      names.insert(section.name + '.' + parameter.name);
+  }
+  return names;
+}
+
+// Marks the keys that a flow test has not, if it has the section.
+std::string table(const Section& section, const Names& flow, const UnitSystem& units) {
   std::string text = "## [" + section.name + "]\n\n" + section.meaning + "\n\n" +
                      "| key | default | values | meaning | source |\n|---|---|---|---|---|\n";
   for (const Parameter& parameter : section.parameters) {
     std::string values = bounds_text(parameter);
     for (const std::string& choice : parameter.choices)
       values += (values.empty() ? "" : " or ") + choice;
-    text += "| `" + parameter.name + "` | " + cell(default_cell(parameter, units)) + " | " +
-            cell(values) + " | " + cell(parameter.meaning) + " | " + cell(parameter.source) +
-            " |\n";
+    const bool missing =
+        flow.contains(section.name) && !flow.contains(section.name + '.' + parameter.name);
+    text += "| `" + parameter.name + (missing ? "` (g) | " : "` | ") +
+            cell(default_cell(parameter, units)) + " | " + cell(values) + " | " +
+            cell(parameter.meaning) + " | " + cell(parameter.source) + " |\n";
   }
   return text + '\n';
 }
@@ -185,6 +197,15 @@ std::string schema() {
 
 }  // namespace
 
+std::string manual(const std::vector<Section>& sections) {
+  const UnitSystem units;
+  std::string text;
+  for (const Section& section : sections) {
+    if (!text.empty()) text += '\n';
+    text += explained(section, '[' + section.name + ']', units);
+  }
+  return text;
+}
 std::string gyratory_scene_manual() {
   return manual<GyratoryScene>();
 }
@@ -205,17 +226,19 @@ std::string scene_reference() {
       "takes all sections but `[flow]`; `flow_test` takes `[run]`, `[stones]`, "
       "`[stones.fracture]`, "
       "`[binder]`,\n"
-      "`[fill]`, `[flow]`, `[numerics]` and `[output]`. Above the first section, `include = "
-      "\"base.toml\"` lays\n"
-      "the file over another one, whose keys and sections it replaces, or takes away with `key = "
-      "\"none\"`.\n\n";
-  for (const Section& section : describe(gyratory)) text += table(section, units);
+      "`[fill]`, `[flow]`, `[numerics]` and `[output]`; keys marked (g) are those of `gyratory` "
+      "only. Above the\n"
+      "first section, `include = \"base.toml\"` lays the file over another one, whose keys and "
+      "sections it replaces,\n"
+      "or takes away with `key = \"none\"`.\n\n";
+  const Names of_flow = names_of(describe(flow));
+  for (const Section& section : describe(gyratory)) text += table(section, of_flow, units);
   GaugeScene gauge;
   Section repeated = describe(gauge, 0);
   repeated.name = "[output.gauge]";
-  text += table(repeated, units);
+  text += table(repeated, of_flow, units);
   for (const Section& section : describe(flow))
-    if (section.name == "flow") text += table(section, units);
+    if (section.name == "flow") text += table(section, of_flow, units);
   text.pop_back();
   return text;
 }

@@ -2,10 +2,15 @@
 #pragma once
 
 #include <string>
+#include <vector>
+
+#include "apps/parameters.h"
 
 namespace apps {
 
-// A complete scene as TOML: every parameter with its default, unit, bounds, meaning and source.
+// Sections as TOML: every parameter with its default, unit, bounds, meaning and source.
+std::string manual(const std::vector<Section>& sections);
+// A complete scene.
 std::string gyratory_scene_manual();
 std::string flow_scene_manual();
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <numbers>
 
+#include "apps/scene_manual.h"
 #include "apps/sections.h"
 #include "apps/stress_theory.h"
 
@@ -127,6 +128,11 @@ class CaseCheck {
 
 std::string StressCase::name() const {
   return std::filesystem::path(path).stem().string();
+}
+
+std::string stress_case_manual() {
+  StressCase given;
+  return manual(describe(given));
 }
 
 StressCase read_stress_case(const std::string& path, const std::vector<std::string>& overrides) {

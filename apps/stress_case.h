@@ -45,6 +45,9 @@ struct StressCase {
   std::string name() const;  // of the file, without folder and ending
 };
 
+// A complete case as TOML, with the meaning of every key.
+std::string stress_case_manual();
+
 // Throws InputError with every mistake found.
 StressCase read_stress_case(const std::string& path, const std::vector<std::string>& overrides);
 

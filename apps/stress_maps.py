@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Draws unrolled maps of a mould's inner face, over angle and height: `stress_maps.py FOLDER`.
 
 Of the CSV files that wall_stress --out FOLDER leaves, one PNG beside each; of a run with

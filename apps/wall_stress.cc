@@ -19,7 +19,7 @@ constexpr int a_row_fails = 1;
 struct Options {
   std::vector<std::string> cases, overrides;
   std::string folder;
-  bool all = false, json = false, refined = false;
+  bool all = false, json = false, refined = false, describe = false;
 };
 
 std::vector<std::string> shipped_cases() {
@@ -85,6 +85,8 @@ int main(int argc, char** argv) {
   app.add_flag("--refined", options.refined,
                "compare with elements half as large instead of theory (minutes)");
   app.add_flag("--json", options.json, "print the rows as JSON");
+  app.add_flag("--describe", options.describe,
+               "print a complete case with the meaning of every key");
   app.add_option(
       "--out", options.folder,
       "folder for pictures: deformed bodies (.vtu), unrolled maps (.csv, see stress_maps.py)");
@@ -96,6 +98,10 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? apps::ok : apps::bad_input;
+  }
+  if (options.describe) {
+    std::cout << apps::stress_case_manual();
+    return apps::ok;
   }
   if (options.all == !options.cases.empty()) {
     std::cerr << "expected case files or --all, found " << (options.all ? "both" : "neither")

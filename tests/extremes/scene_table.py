@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Whole scenes at their extremes: scene_table.py BIN_FOLDER SCENES_FOLDER [TABLE.md] [--only WORD] [--long]
 
 Runs a small gyratory compaction with one thing at a time taken to its extreme, and prints how each
@@ -25,7 +25,7 @@ STOPPED_TWICE = "200,000 stones, stopped twice"
 
 INTRODUCTION = """# Scenes at their extremes
 
-Made by `python3 tests/extremes/scene_table.py build/bin apps/scenes tests/extremes/scene_table.md --long`.
+Made by `tests/extremes/scene_table.py build/bin apps/scenes tests/extremes/scene_table.md --long`.
 One thing at a time is taken to its extreme in a scene of 150 stones of SMA 11 between rigid walls,
 a quarter of a gyration at 600 kPa, and the energy ledger watches. Residual: the part of the work that the
 ledger cannot explain. Inertial number: as `--check` foretells it, quasi-static below 1e-3. A warning

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """The elastic steel at its extremes: steel_table.py BIN_FOLDER SCENES_FOLDER [TABLE.md]
 
 Runs a small gyratory compaction for each setting and prints a table: setting, gain (bound of the

@@ -1,6 +1,7 @@
+#!/usr/bin/python3
 """Writes the page of the physics checks, README.md in this folder, and its picture:
 
-    python3 tests/physics/checks.py
+    tests/physics/checks.py
 
 runs build/tests/physics_tests, which adds a row for every check it makes, and takes the comparison
 with other codes from bulk.csv, as compare_bulk.py --out wrote it last. Exits 1 if a check does not
@@ -31,7 +32,7 @@ SUITES = {
 
 OPENING = """# What the contact physics is checked against
 
-Written by `python3 tests/physics/checks.py`: nothing here is typed by hand. Every check of the
+Written by `tests/physics/checks.py`: nothing here is typed by hand. Every check of the
 tests of this folder and of `tests/extremes/contact_box_test.cc` is a line; checks that differ in
 one number only share a line, which shows the one nearest to its tolerance, and their count. The
 reason of each tolerance is in the test that makes the check.
@@ -52,7 +53,7 @@ as the lines "exact partial slip" say.
 BULK = """
 ## Beds against other codes
 
-From `python3 tests/physics/compare_bulk.py --out tests/physics/bulk.csv`: {beds} beds of {stones}
+From `tests/physics/compare_bulk.py --out tests/physics/bulk.csv`: {beds} beds of {stones}
 stones, {steps} steps of 1 us from rest without shear springs; the shared bed, and others by its
 generator and settling deck with the seeds {seeds}. Floor and wall force are those of Hertz at the
 last overlaps, / weight; they exceed 1 because the beds were settled soft and hardened under load,

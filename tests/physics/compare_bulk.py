@@ -1,3 +1,4 @@
+#!/usr/bin/python3
 """Runs the same settled beds of dry stones with ours and with other DEM codes, from the same decks
 and to the same time, and prints what the walls carry, how high the beds stand and how many
 neighbours a stone has.

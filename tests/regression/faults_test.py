@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Full disks, damaged files, folders in use: faults_test.py BIN_FOLDER SCENES_FOLDER TEST_NAME
 
 What goes on after trouble must end as an unbroken run, bit by bit."""

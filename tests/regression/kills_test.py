@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Kills and signals at random moments: kills_test.py BIN_FOLDER SCENES_FOLDER TEST_NAME
 
 The history of a run that was resumed must be that of an unbroken one, bit by bit. Every bed is

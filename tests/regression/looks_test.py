@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """What one gets to see of a run: looks_test.py BIN_FOLDER SCENES_FOLDER TEST_NAME
 
 Pictures for ParaView, plots, the page, and renderings, of beds small enough to take seconds."""

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Whole runs of the programs: runs_test.py BIN_FOLDER SCENES_FOLDER TEST_NAME
 
 Each test is one run or two of a bed small enough to take seconds."""
@@ -229,6 +229,20 @@ modes = 20
                                   capture_output=True, text=True)
             self.assertNotIn("known", done.stderr)  # its sizes need not fit each other
             self.assertIn("stones", json.loads(ask("--schema"))["properties"])
+
+    def test_the_described_case_of_the_steel_is_one_of_theirs(self):
+        # As it stands, what the program says of a case is Lame's cylinder; every key is in it.
+        line = [os.path.join(BIN, "wall_stress"), "--describe"]
+        told = subprocess.run(line, check=True, capture_output=True, text=True).stdout
+        for key in ("kind", "inner_diameter", "shaft_length", "harmonic", "refinement", "modes"):
+            self.assertRegex(told, rf"(?m)^{key} = ")
+        case = self.folder("case.toml")
+        with open(case, "w") as file:
+            file.write(told)
+        done = subprocess.run([os.path.join(BIN, "wall_stress"), case, "--json"],
+                              capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(len(json.loads(done.stdout)["rows"]), 3)
 
     def test_a_crushed_bed_stops_with_status_3_naming_the_stone(self):
         folder = self.folder("crushed")

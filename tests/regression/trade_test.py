@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Studies by the program trade: trade_test.py BIN_FOLDER SCENES_FOLDER TEST_NAME"""
 import itertools
 import json

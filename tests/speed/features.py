@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """What a scene's features cost: features.py BIN_FOLDER SCENES_FOLDER
 
 Runs the small scenes with each feature on and off and prints: bytes that a contact remembers (as
