@@ -135,7 +135,8 @@ def compare(out, runs, references, names):
 
 
 VALUES = {"angle_lost": lambda h: h["commanded_angle"] - h["internal_angle"]}
-ANGLES = [("internal_angle", "internal angle [deg]", 1), ("angle_lost", "angle lost [deg]", 1)]
+ANGLES = [("internal_angle", "internal angle [deg]", 1),
+          ("angle_lost", "mean of the angle lost [deg]", 1)]
 BED = [("head_traction", "traction of the head [kPa]", 1e-3),
        ("mould_traction", "traction of the mould [kPa]", 1e-3),
        ("floor_traction", "traction of the floor [kPa]", 1e-3),
@@ -183,7 +184,7 @@ def modes_against_full(out):
 angle that a run loses against what the full head loses statically under the run's own recorded loads
 (root mean square over the second half of the gyration, all seeds):
 
-| run | angle lost [deg] | difference [deg] |
+| run | angle lost, rms [deg] | difference, rms [deg] |
 |---|---|---|""")
     close = True
     for label, runs in (("modes", answers[0::2]), ("full", answers[1::2])):
