@@ -66,6 +66,12 @@ std::vector<double> selected_inertia(const Law& law, const dem::ParticleStore& s
   return inertia;
 }
 
+// Contacts between stones that are held by a bond; without energy, bonds hold nothing.
+template <class Law>
+double bonds(const dem::Simulation<Law>& bed, const std::optional<BinderScene>& binder) {
+  return binder && binder->bond_energy > 0 ? static_cast<double>(bed.pairs().held()) : 0;
+}
+
 // The simulation of a gas of the mix in a container, without walls yet, at rest and without bonds.
 template <class Law>
 dem::Simulation<Law> make_bed(const StonesScene& stones, const Mix& mix, const LawBook& book,

@@ -2,11 +2,14 @@
 // elastic steel once it is closed.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 
 #include "apps/archive.h"
 #include "apps/bed.h"
+#include "apps/errors.h"
 #include "apps/machine.h"
 #include "apps/steel.h"
 
@@ -21,7 +24,7 @@ class Compactor {
             const Machine& machine);
 
   // Puts the inclined head on the bed as it is now; from now on shells bond and inertia may be
-  // selected.
+  // selected. Throws InputError if the bed is higher than an elastic mould.
   void close();
   // Between letterboxes and steel; after every step of a closed bed.
   void exchange();
@@ -110,6 +113,12 @@ void Compactor<Law>::close() {
   closed_ = true;
   closed_at_ = bed_.time();
   plate_start_ = height_of_plate();
+  const auto& steel = scene_.mould.elastic;
+  if (steel && plate_start_ > steel->height)
+    throw InputError({fmt::format(
+        "{}: expected a mould as high as the settled bed, {:.4g} mm, found "
+        "{:.4g} mm; make it higher",
+        scene_.where("mould.elastic.height"), 1e3 * plate_start_, 1e3 * steel->height)});
   mount_head();
 }
 
@@ -165,9 +174,9 @@ void Compactor<Law>::mount_head() {
 
 template <class Law>
 void Compactor<Law>::exchange() {
-  const double dt = bed_.time_step();
-  if (elastic_head_) elastic_head_->exchange(bed_.walls()[head], dt);
-  if (elastic_mould_) elastic_mould_->exchange(bed_.walls()[mould], dt);
+  const dem::Steps steps = {bed_.last_step(), bed_.time_step()};
+  if (elastic_head_) elastic_head_->exchange(bed_.walls()[head], steps);
+  if (elastic_mould_) elastic_mould_->exchange(bed_.walls()[mould], steps);
 }
 
 template <class Law>

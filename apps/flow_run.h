@@ -181,8 +181,8 @@ void FlowRun<Law>::step() {
   bed_.step();
   const double stepped = timed ? wall_clock() : 0;
   watch_.look(bed_);
-  means_.span += bed_.time_step();
-  means_.impulse += bed_.walls()[strip_].force.z * bed_.time_step();
+  means_.span += bed_.last_step();
+  means_.impulse += bed_.walls()[strip_].force.z * bed_.last_step();
   if (!timed) return;
   watch_.budget.sample(TimeBudget::stones, stepped - began);
   watch_.budget.sample(TimeBudget::outputs, wall_clock() - stepped);
@@ -203,7 +203,7 @@ void FlowRun<Law>::record(Recorder& recorder) {
                              pressure_,
                              uplift_,
                              static_cast<double>(bed_.cracks().size()),
-                             static_cast<double>(bed_.pairs().held()),
+                             bonds(bed_, scene_.binder),
                              coordination,
                              dem::kinetic_energy(bed_.stones()),
                              bed_.time_step()};

@@ -27,7 +27,7 @@ double measured_exchange(SteelPart& part, dem::Wall& wall) {
   int exchanges = 0;
   double spent = 0;
   for (; spent < long_enough; spent = wall_clock() - began)
-    for (int k = 0; k < 100; ++k, ++exchanges) part.exchange(wall, time_step);
+    for (int k = 0; k < 100; ++k, ++exchanges) part.exchange(wall, {time_step, time_step});
   return spent / exchanges;
 }
 

@@ -142,7 +142,7 @@ void GyratoryRun<Law>::step() {
     watch_.budget.sample(TimeBudget::outputs, looked - stepped);
     watch_.budget.sample(TimeBudget::steel, wall_clock() - looked);
   }
-  history_.look(compactor_.plate(), compactor_.ring(), bed_.time(), bed_.time_step());
+  history_.look(compactor_.plate(), compactor_.ring(), bed_.time(), bed_.last_step());
 }
 
 template <class Law>
@@ -155,7 +155,7 @@ GyratoryHistory::Moment GyratoryRun<Law>::moment() const {
           .air_voids = air_voids(face.mean_height),
           .internal_angle = face.angle,
           .fractured = static_cast<double>(bed_.cracks().size()),
-          .bonds = static_cast<double>(bed_.pairs().held()),
+          .bonds = bonds(bed_, scene_.binder),
           .coordination = 2.0 * static_cast<double>(bed_.pairs().touching(stones)) /
                           static_cast<double>(stones.size()),
           .kinetic_energy = dem::kinetic_energy(stones),

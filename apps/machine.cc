@@ -33,6 +33,12 @@ Machine size_machine(const GyratoryScene& scene, const Mix& mix) {
         "to the stones",
         scene.where("stones.count"), std::floor(most), 1e3 * diameter, scene.stones.count));
   }
+  if (const auto& steel = scene.mould.elastic; steel && steel->height < height)
+    mistakes.push_back(fmt::format(
+        "{}: expected a mould higher than the specimen, {:.4g} mm at {:.0f} % air voids, found "
+        "{:.4g} mm; make it higher, twice that gives room to the loose bed",
+        scene.where("mould.elastic.height"), 1e3 * height, 1e2 * reference_voids,
+        1e3 * steel->height));
   const double largest = 2 * mix.largest_radius();
   if (diameter < least_stones_across * largest)
     mistakes.push_back(scene.where(scene.mould.diameter ? "mould.diameter" : "stones.count") +

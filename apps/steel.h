@@ -20,7 +20,7 @@ class SteelPart {
   SteelPart(const ElasticMouldScene& scene, const Machine& machine, const NumericsScene& numerics,
             dem::Wall& wall);
 
-  void exchange(dem::Wall& wall, double dt) { coupled_->exchange(wall, dt); }  // dt [s]
+  void exchange(dem::Wall& wall, dem::Steps steps) { coupled_->exchange(wall, steps); }
 
   // See dem/state.h.
   template <class Visit>

@@ -146,7 +146,7 @@ StressReport settle_column(const StressCase& given) {
   watch.amplitude = Eigen::VectorXd::Zero(elastic.amplitude().size());
   while (column.time() < end) {
     column.step();
-    const double dt = column.time_step();
+    const double dt = column.last_step();
     const bool watched = column.time() > start + 0.5 * (end - start);
     if (watched) {
       watch.span += dt;
@@ -155,7 +155,7 @@ StressReport settle_column(const StressCase& given) {
       watch.ring_push += mould.push * dt;
       watch.nodal += Eigen::Map<const Eigen::Matrix3Xd>(&mould.field->impulse.front().x, 3, nodes);
     }
-    elastic.exchange(mould, dt);
+    elastic.exchange(mould, {dt, column.time_step()});
     if (watched) watch.amplitude += elastic.amplitude() * dt;
   }
   watch.finish();

@@ -72,7 +72,7 @@ StressReport press_one_stone(const StressCase& given) {
   press.set_drag(1 / period);
   while (press.time() < 60 * period) {
     press.step();
-    elastic.exchange(ring, press.time_step());
+    elastic.exchange(ring, {press.last_step(), press.time_step()});
   }
   const double moved = -press.stones().position[0].z - (inner - radius);
   const Eigen::Vector3d place(inner, 0, mould.height / 2), behind(-inner, 0, mould.height / 2);

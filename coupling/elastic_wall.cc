@@ -59,7 +59,7 @@ void ElasticWall::follow_fully(const Eigen::MatrixXd& compliance, const dem::Wal
   rest_share_ = std::min(0.5, 1 / (1 + gain));
 }
 
-void ElasticWall::exchange(dem::Wall& wall, double dt) {
+void ElasticWall::exchange(dem::Wall& wall, dem::Steps steps) {
   dem::SurfaceField& field = *wall.field;
   const auto nodes = static_cast<Eigen::Index>(field.size());
   // Copies here and below, because Eigen's sums depend on where in memory a vector begins.
@@ -67,16 +67,17 @@ void ElasticWall::exchange(dem::Wall& wall, double dt) {
   const Eigen::VectorXd impulse = letters;
   letters.setZero();
   gathered_ += impulse;
-  span_ += dt;
-  swing(impulse, dt);
+  span_ += steps.before;
+  swing(impulse, steps);
   if (++waited_ >= settings_.interval) {
     relax();
     const Eigen::VectorXd displacement =
         Eigen::Map<const Eigen::VectorXd>(&field.displacement.front().x, 3 * nodes);
-    const Eigen::VectorXd swung = swinging_ * velocity_(oscillators_) * dt;  // still to be moved
+    const Eigen::VectorXd swung =
+        swinging_ * velocity_(oscillators_) * steps.now;  // still to be moved
     Eigen::VectorXd wanted = body_.shape * amplitude_;
     if (rest_.size() > 0) wanted += rest_;
-    static_velocity_ = (wanted - displacement - swung) / (waited_ * dt);
+    static_velocity_ = (wanted - displacement - swung) / (waited_ * steps.now);
     waited_ = 0;
   }
   const Eigen::VectorXd velocity = static_velocity_ + swinging_ * velocity_(oscillators_);
@@ -87,8 +88,9 @@ void ElasticWall::exchange(dem::Wall& wall, double dt) {
                                 .maxCoeff());
 }
 
-void ElasticWall::swing(const Eigen::VectorXd& impulse, double dt) {
-  const Eigen::VectorXd load = swinging_.transpose() * impulse / dt;  // [N]
+void ElasticWall::swing(const Eigen::VectorXd& impulse, dem::Steps steps) {
+  const double dt = steps.now;
+  const Eigen::VectorXd load = swinging_.transpose() * impulse / steps.before;  // [N]
   for (std::size_t k = 0; k < oscillators_.size(); ++k) {
     const Eigen::Index m = oscillators_[k];
     const double stiffness = body_.stiffness[m];
@@ -97,7 +99,8 @@ void ElasticWall::swing(const Eigen::VectorXd& impulse, double dt) {
     // The stones answer one step late, which acts as a drag of -bed stiffness x delay.
     const double drag =
         2 * settings_.damping * std::sqrt(stiffness * mass) + 2 * bed_stiffness_ * dt;
-    velocity_[m] += dt / mass * (load[k] - stiffness * amplitude_[m] - drag * velocity_[m]);
+    velocity_[m] +=
+        steps.kick() / mass * (load[k] - stiffness * amplitude_[m] - drag * velocity_[m]);
     amplitude_[m] += dt * velocity_[m];
   }
 }

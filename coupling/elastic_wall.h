@@ -39,8 +39,8 @@ class ElasticWall {
   // nodes of wall.field (fem::ElasticBody::face_compliance).
   void follow_fully(const Eigen::MatrixXd& compliance, const dem::Wall& wall);
 
-  // To be called after every time step of length dt [s].
-  void exchange(dem::Wall& wall, double dt);
+  // To be called after every time step: its length and that of the next.
+  void exchange(dem::Wall& wall, dem::Steps steps);
 
   const fem::ReducedBody& body() const { return body_; }
   const Eigen::VectorXd& amplitude() const { return amplitude_; }  // of the modes [m]
@@ -52,9 +52,9 @@ class ElasticWall {
   void visit_state(Visit& visit, const std::string& in);
 
  private:
-  void sort_modes();                                      // by gain into oscillators and statics
-  void swing(const Eigen::VectorXd& impulse, double dt);  // moves the oscillators [N s], [s]
-  void relax();                                           // moves the static modes and the rest
+  void sort_modes();  // by gain into oscillators and statics
+  void swing(const Eigen::VectorXd& impulse, dem::Steps steps);  // moves the oscillators [N s], [s]
+  void relax();  // moves the static modes and the rest
 
   fem::ReducedBody body_;
   ExchangeSettings settings_;

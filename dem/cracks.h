@@ -41,7 +41,7 @@ class Cracks {
   void open(ParticleStore& stones, const Contacts<Law>& contacts, double time);
 
   // Turns the cracks with their stones and takes those a step nearer to the stiffness that the rule
-  // gives them now.
+  // gives them now, where that is less than they have: what is broken does not heal.
   template <ContactLaw Law>
   void soften(ParticleStore& stones, const Contacts<Law>& contacts, double time);
 
@@ -86,7 +86,7 @@ void Cracks::soften(ParticleStore& stones, const Contacts<Law>& contacts, double
     crack.direction = turned * (1 / norm(turned));
     const double share = 1 / stones.softness[k];
     const double target = stiffness_share(rule_, crack, loads[n]);
-    stones.softness[k] = 1 / (share + rule_.lag * (target - share));
+    if (target < share) stones.softness[k] = 1 / (share + rule_.lag * (target - share));
   }
 }
 

@@ -111,13 +111,6 @@ inline Pack smaller(Pack a, Pack b) {
   return select(a < b, a, b);
 #endif
 }
-inline double cube_root(double a) {
-  return std::cbrt(a);
-}
-inline Pack cube_root(Pack a) {
-  for (int k = 0; k < lanes; ++k) a.value[k] = std::cbrt(a.value[k]);
-  return a;
-}
 template <class T>
 T magnitude(T a) {
   return larger(a, -a);

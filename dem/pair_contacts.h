@@ -50,7 +50,7 @@ class PairContacts {
     return touch(stones, first(slot), second(slot));
   }
   std::int64_t touching(const ParticleStore& stones) const;
-  std::int64_t held() const;  // slots whose contact would outlive a gap: bonds
+  std::int64_t held() const;  // slots whose law holds on to them beyond touch (`holds`)
   std::int32_t first(std::int64_t slot) const { return slots_.first[slot]; }
   std::int32_t second(std::int64_t slot) const { return slots_.second[slot]; }
 

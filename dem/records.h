@@ -92,6 +92,17 @@ inline void quads(const Vec3d& v, double fourth, Quad* to) {
   *to = Quad{v.x, v.y, v.z, fourth};
 }
 
+#ifdef WATCH_RACES  // a checker of races sees accesses to numbers, not to four of them at once
+inline Quad load_quad(const double* from) {
+  return {from[0], from[1], from[2], from[3]};
+}
+inline void store_quad(Quad a, double* to) {
+  for (int k = 0; k < 4; ++k) to[k] = a[k];
+}
+inline Quad load_vector(const Vec3d& from) {
+  return {from.x, from.y, from.z, 0};
+}
+#else
 inline Quad load_quad(const double* from) {
   Quad read;
   __builtin_memcpy(&read, from, sizeof read);
@@ -100,11 +111,13 @@ inline Quad load_quad(const double* from) {
 inline void store_quad(Quad a, double* to) {
   __builtin_memcpy(to, &a, sizeof a);
 }
-
-// A vector and what lies behind it, and back without that.
+// A vector and what lies behind it, which nobody takes: another thread may be writing it.
 inline Quad load_vector(const Vec3d& from) {
   return load_quad(&from.x);
 }
+#endif
+
+// Only the vector.
 inline void store_vector(Quad a, Vec3d& to) {
   to = {a[0], a[1], a[2]};
 }

@@ -69,29 +69,28 @@ Lost lost(const Mindlin<Normal>& law, const Seen<Mindlin<Normal>>& before,
   return sum;
 }
 
-// What the normal spring of a contact holds after `as` left it so [J].
+// What the normal spring of a contact holds with stones as soft as in `as` [J].
 template <class Stone>
-double spring_energy(const Fracture<Stone>& law, Contact<double> contact,
-                     const Seen<Fracture<Stone>>& as) {
-  contact.overlap -= as.memory.shortened;
-  return normal_energy(law.stone, contact) / law.weakness(as.contact);
+double spring_energy(const Fracture<Stone>& law, const Contact<double>& contact,
+                     const Contact<double>& as) {
+  return normal_energy(law.stone, contact) / law.weakness(as);
 }
 
 template <class Stone>
 Stored stored(const Fracture<Stone>& law, const Seen<Fracture<Stone>>& seen) {
-  return {.stone = spring_energy(law, seen.contact, seen) + shear_energy(seen.memory.stone)};
+  return {.stone = spring_energy(law, seen.contact, seen.contact) + shear_energy(seen.memory)};
 }
 
 template <class Stone>
 Lost lost(const Fracture<Stone>& law, const Seen<Fracture<Stone>>& before,
           const Seen<Fracture<Stone>>& now) {
-  Lost sum = shear_lost(law.stone, Seen<Stone>{before.contact, before.memory.stone},
-                        Seen<Stone>{now.contact, now.memory.stone});
+  Lost sum = shear_lost(law.stone, Seen<Stone>{before.contact, before.memory},
+                        Seen<Stone>{now.contact, now.memory});
   if (before.contact.softness == now.contact.softness || before.contact.softness == 0) return sum;
-  const auto mean = [&](const Seen<Fracture<Stone>>& as) {
+  const auto mean = [&](const Contact<double>& as) {
     return 0.5 * (spring_energy(law, before.contact, as) + spring_energy(law, now.contact, as));
   };
-  sum.fracture = sum.stone_area + mean(before) - mean(now);
+  sum.fracture = sum.stone_area + mean(before.contact) - mean(now.contact);
   sum.stone_area = 0;
   return sum;
 }

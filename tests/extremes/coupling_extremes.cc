@@ -59,7 +59,7 @@ void drop_a_stone(const Setting& setting, fem::ReducedBody modes, Rest rest) {
   bool touched = false;
   while (simulation.time() < 4 * fall) {
     simulation.step();
-    elastic.exchange(wall, simulation.time_step());
+    elastic.exchange(wall, {simulation.last_step(), simulation.time_step()});
     touched = touched || wall.push > 0;
     const dem::Vec3d& v = simulation.stones().velocity[0];
     const double height = simulation.stones().position[0].z - stone.radius;

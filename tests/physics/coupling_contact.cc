@@ -22,7 +22,7 @@ double resting_approach(const Stone& stone, double gain, int interval) {
     before = now;
     for (int step = 0; step < 2000 + 200 * interval; ++step) {
       simulation.step();
-      elastic.exchange(wall, simulation.time_step());
+      elastic.exchange(wall, {simulation.last_step(), simulation.time_step()});
     }
     now = stone.radius - simulation.stones().position[0].z;
   }
@@ -110,7 +110,7 @@ TEST(letterbox, hands_on_force_moment_and_work_of_a_rubbing_stone) {
     EXPECT_LE(norm(moment - wall.moment), lever + 1e-12 * size * bench::plate_radius);
     EXPECT_NEAR(work, dot(wall.force, wall.field->velocity[0]), 1e-12 * size);
     rubbed = std::max(rubbed, std::hypot(wall.force.x, wall.force.y));
-    elastic.exchange(wall, dt);
+    elastic.exchange(wall, {dt, dt});
   }
   EXPECT_GT(rubbed, 0.2 * stone.load);
 }
@@ -131,7 +131,7 @@ double rebound(double plate_stiffness) {
   bool touched = false;
   while (!touched || plate.push > 0) {
     simulation.step();
-    if (coupled) coupled->exchange(plate, simulation.time_step());
+    if (coupled) coupled->exchange(plate, {simulation.last_step(), simulation.time_step()});
     touched = touched || plate.push > 0;
   }
   return simulation.stones().velocity[0].z;

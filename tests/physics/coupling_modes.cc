@@ -11,6 +11,14 @@ constexpr fem::Head head{.plate_diameter = 0.15,
                          .shaft_length = 0.25,
                          .steel = {}};
 
+// A force [N] at a point, at the nodes of the letterbox (3 each).
+Eigen::VectorXd letters_of(dem::Wall& wall, const dem::Vec3d& point, const dem::Vec3d& force) {
+  dem::SurfaceField field = *wall.field;
+  field.add_impulse(field.stencil(point), force);
+  return Eigen::Map<const Eigen::VectorXd>(&field.impulse.front().x,
+                                           3 * static_cast<Eigen::Index>(field.size()));
+}
+
 // Displacement [m] of the letterbox after a force [N] has lasted at a point until all is at rest.
 std::vector<dem::Vec3d> resting_displacement(dem::Wall& wall, coupling::ElasticWall& elastic,
                                              const dem::Vec3d& point, const dem::Vec3d& force) {
@@ -19,7 +27,7 @@ std::vector<dem::Vec3d> resting_displacement(dem::Wall& wall, coupling::ElasticW
   for (int step = 0; step < 100000; ++step) {
     wall.field->drift(dt);
     wall.field->add_impulse(stencil, force * dt);
-    elastic.exchange(wall, dt);
+    elastic.exchange(wall, {dt, dt});
   }
   return wall.field->displacement;
 }
@@ -45,6 +53,28 @@ TEST(coupled_head, answers_a_lasting_force_as_the_full_body_does) {
     EXPECT_NEAR(moved[n].z, exact(2, static_cast<Eigen::Index>(n)), 1e-2 * largest)
         << x.x << ' ' << x.y;
   }
+}
+
+// A lasting force is the same over long steps and short ones, and so is the answer to it.
+TEST(coupled_head, answers_a_lasting_force_over_changing_steps_alike) {
+  const fem::ElasticBody body(head, {});
+  dem::Wall wall = bench::plate();
+  const fem::ReducedBody modes = body.reduce(20, coupling::letterbox_points(wall));
+  coupling::ElasticWall elastic(modes, wall, {.interval = 10});
+  const dem::Vec3d point{0.05, 0, 0}, force{0, 0, 1000};
+  const Eigen::VectorXd load = modes.shape.transpose() * letters_of(wall, point, force);
+  double before = 1e-5;
+  for (int step = 0; step < 100000; ++step) {
+    const double now = step % 3 == 0 ? 1.4e-5 : 1e-5;
+    wall.field->drift(before);
+    wall.field->add_impulse(wall.field->stencil(point), force * before);
+    elastic.exchange(wall, {before, now});
+    before = now;
+  }
+  for (Eigen::Index m = 0; m < load.size(); ++m)
+    EXPECT_NEAR(elastic.amplitude()[m], load[m] / modes.stiffness[m],
+                1e-6 * std::abs(load[0] / modes.stiffness[0]))
+        << m;
 }
 
 constexpr fem::Mould mould{.inner_diameter = 0.1,
@@ -115,7 +145,7 @@ TEST(coupled_head, loses_angle_under_a_known_moment) {
     wall.field->drift(dt);
     wall.field->add_impulse(wall.field->stencil({arm, 0, 0}), dem::Vec3d{0, 0, force} * dt);
     wall.field->add_impulse(wall.field->stencil({-arm, 0, 0}), dem::Vec3d{0, 0, -force} * dt);
-    elastic.exchange(wall, dt);
+    elastic.exchange(wall, {dt, dt});
   }
   const Eigen::VectorXd coupled = modes.full_shape * elastic.amplitude();
   const Eigen::VectorXd full = body.solve(body.point_load({arm, 0, 0}, {0, 0, force}) +

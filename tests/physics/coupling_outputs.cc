@@ -172,7 +172,7 @@ TEST(letterbox, of_a_cylinder_hands_on_force_and_work_and_bounds_the_moment) {
         radius * (1 - std::cos(std::numbers::pi / sectors)) + 4 * stone.overlap() + 1e-4;
     EXPECT_LE(norm(moment - ring.frame.to_frame(ring.moment)), lever * size);
     worked = std::max(worked, std::abs(power));
-    elastic.exchange(ring, dt);
+    elastic.exchange(ring, {dt, dt});
   }
   EXPECT_GT(worked, 0);
 }

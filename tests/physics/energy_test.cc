@@ -121,21 +121,6 @@ TEST(energy, that_softening_frees_is_that_of_the_stiffness_lost) {
   EXPECT_EQ(contact.work, work);
 }
 
-TEST(energy, that_stiffness_given_back_costs_is_that_of_a_shorter_spring) {
-  // At constant force 2/5 F x is stored, x falling from d to d w^-2/3; nothing is done from
-  // outside.
-  Booked<Fracture<Stone>> contact({stone(10), 1});
-  contact.soften(8);
-  contact.move(5e-6, 1e-6);
-  const double before = contact.energy().stone, work = contact.work;
-  const double lost = contact.losses.fracture;
-  contact.soften(1);
-  contact.move(5e-6, 1e-6);
-  EXPECT_NEAR(contact.energy().stone, before / 4, 1e-12 * before);
-  EXPECT_NEAR(contact.losses.fracture - lost, 0.75 * before, 1e-12 * before);
-  EXPECT_EQ(contact.work, work);
-}
-
 TEST(energy, of_held_shells_turns_into_heat_as_their_springs_relax) {
   // At constant h each dashpot creeps as H(v) = H(h) (1 - exp(-t/tau)); what is stored is then
   // 2/5 h^2.5 + 3/5 v^2.5 - H(v) h, and nothing comes from outside. The creep begins like t^(2/3),

@@ -62,7 +62,7 @@ struct Loop {
   double middle, depth;  // of the overlap [m]
   double slide;          // [m]
   double duration;       // of one turn [s]
-  double softening = 0;  // largest softness of the stones - 1 [-]
+  double softening = 0;  // softness of the stones in the end - 1 [-]
 };
 
 // Drives a contact that nobody has touched along two turns of a random loop. The work put into it
@@ -75,7 +75,7 @@ void expect_passive(const Law& law, double radius, const Loop& loop, Dice& dice,
   constexpr int steps = 2000;
   const Curve overlap(dice, steps), x(dice, steps), y(dice, steps), softness(dice, steps);
   OneContact<Law> contact(law, 1.2 * radius, radius);
-  double work = 0, least = 0, force = 0, stride = 0, old_h = 0, push = 0;
+  double work = 0, least = 0, force = 0, stride = 0, old_h = 0, push = 0, soft = 1;
   Vec3d old_slide = {0, 0, 0}, shear = {0, 0, 0};
   int breaks = 0;
   for (int n = 0; n <= 2 * steps; ++n) {
@@ -88,7 +88,8 @@ void expect_passive(const Law& law, double radius, const Loop& loop, Dice& dice,
     }
     const bool held = contact.held();
     const Vec3d ds = slide - old_slide;
-    contact.soften(1 + loop.softening * (1 + softness.at(n)) / 2);
+    soft = std::max(soft, 1 + loop.softening * (1 + softness.at(n)) / 2);
+    contact.soften(soft);
     const Response<double> now = contact.move(h, loop.duration / steps, ds);
     ASSERT_TRUE(std::isfinite(now.push + norm(now.shear) + now.stiffness))
         << what << " of seed " << seed;
@@ -193,8 +194,8 @@ TEST(passivity, no_loop_takes_energy_out_of_stones_in_their_shells) {
   }
 }
 
-TEST(passivity, stones_that_lose_and_regain_stiffness_create_no_energy) {
-  // A broken stone that is clamped and let go while it is pressed and rubbed, on random paths.
+TEST(passivity, stones_that_lose_stiffness_create_no_energy) {
+  // A broken stone whose clamp goes while it is pressed and rubbed, on random paths.
   for (int seed = 0; seed < loops; ++seed) {
     Dice dice(seed);
     const double radius = dice.decade(1e-3, 1e-2), depth = radius * dice.decade(1e-5, 1e-2);

@@ -244,6 +244,21 @@ modes = 20
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(len(json.loads(done.stdout)["rows"]), 3)
 
+    def test_a_bed_that_stands_out_of_its_elastic_mould_is_refused(self):
+        # Lower than the specimen will be: at once; lower than the loose bed: when the head comes.
+        for height, words, seen in (("15 mm", "specimen", False), ("34 mm", "settled bed", True)):
+            folder = self.folder(height)
+            line = command("gyratory", folder, SMALL + [f"mould.elastic.height={height}"])
+            done = subprocess.run(line, capture_output=True, text=True)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertRegex(done.stderr, rf"elastic\.height: expected .*{words}.*found {height}")
+            self.assertEqual(os.path.exists(os.path.join(folder, "results.h5")), seen)
+
+    def test_bonds_without_energy_are_none(self):
+        for energy, some in (("0 J/mm2", False), ("0.01 J/mm2", True)):
+            columns, _ = self.gyrate(energy.split()[0], RIGID + [f"binder.bond_energy={energy}"])
+            self.assertEqual(bool(max(columns["bonds"]) > 0), some)
+
     def test_a_crushed_bed_stops_with_status_3_naming_the_stone(self):
         folder = self.folder("crushed")
         scene = SMALL + RIGID + ["gyration.pressure=10 MPa", "numerics.largest_overlap=1e-3"]
