@@ -28,7 +28,8 @@ INTRODUCTION = """# Scenes at their extremes
 Made by `tests/extremes/scene_table.py build/bin apps/scenes tests/extremes/scene_table.md --long`.
 One thing at a time is taken to its extreme in a scene of 150 stones of SMA 11 between rigid walls,
 a quarter of a gyration at 600 kPa, and the energy ledger watches. Residual: the part of the work that the
-ledger cannot explain. Inertial number: as `--check` foretells it, quasi-static below 1e-3. A warning
+ledger cannot explain. Weak stones break where they touch another stone: their shells keep most apart.
+Inertial number: as `--check` foretells it, quasi-static below 1e-3. A warning
 is what `--check` says before the run.
 
 | extreme | ends | air voids | broken | steps | residual | inertial number | warning |
@@ -83,7 +84,11 @@ def settings(place, long):
                          "stones.distribution": "log_linear", "stones.smallest": "1 mm",
                          "stones.count": 1500, "mould.diameter": "40 mm",
                          "output.energy_ledger": "false"}
-    yield "weak stones", {"stones.fracture.scale": "40 MPa"}
+    for strength in (40, 1):
+        yield f"stones of {strength} MPa", {"stones.fracture.scale": f"{strength} MPa"}
+    for restitution in (1, 0.01):
+        yield f"no binder, restitution {restitution}", {
+            "binder": "none", "stones.fracture": "none", "stones.restitution": restitution}
     for scale in (1, 1e2, 1e5, 1e6, 1e7):
         brief = {"gyration.ramp": "0.02 s", "gyration.count": 0.02} if scale < 10 else {}
         yield f"mass scale {scale:.0e}", {"numerics.mass_scale": scale, **brief}
