@@ -34,7 +34,7 @@ struct Lost {
   double film_area = 0;   // the same of films
   double damping = 0;     // of the restitution of stones
   double bond = 0;        // by bonds that yield and break
-  double fracture = 0;    // by springs of stones that lose and regain stiffness
+  double fracture = 0;    // by springs of stones that lose stiffness
 
   Lost& operator+=(const Lost& other) {
     binder += other.binder;
