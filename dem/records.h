@@ -94,13 +94,13 @@ inline void quads(const Vec3d& v, double fourth, Quad* to) {
 
 #ifdef WATCH_RACES  // a checker of races sees accesses to numbers, not to four of them at once
 inline Quad load_quad(const double* from) {
-  return {from[0], from[1], from[2], from[3]};
+  return Quad{from[0], from[1], from[2], from[3]};
 }
 inline void store_quad(Quad a, double* to) {
   for (int k = 0; k < 4; ++k) to[k] = a[k];
 }
 inline Quad load_vector(const Vec3d& from) {
-  return {from.x, from.y, from.z, 0};
+  return Quad{from.x, from.y, from.z, 0};
 }
 #else
 inline Quad load_quad(const double* from) {
