@@ -272,7 +272,8 @@ Contact<double> EnergyLedger<Law>::wall_contact(const ParticleStore& stones, std
   contact.stone_radius = stones.radius[i];
   contact.mass = stones.inertia[i];
   contact.softness = softness_of(stones, i);
-  const double arm = outer - 0.5 * contact.overlap;
+  const double inset = contact.overlap - 0.5 * std::max(contact.overlap - stones.shell, 0.0);
+  const double arm = outer - inset;
   const Vec3d point = stones.position[i] - n * arm;
   const Vec3d rate = stones.velocity[i] - wall.frame.velocity_at(point) - bending;
   const Vec3d surface = rate - cross(arm * stones.spin[i], n);

@@ -8,11 +8,11 @@
 // C being the force with which its other stone contacts clamp it across the crack. No clamping
 // leaves `residual` of the stiffness, clamping far above F_b all of it. The share enters as
 // compliance: softness = 1 / share. It follows the rule with a lag of a few looks, so that a break
-// is no impact, and only downwards: a stone is as stiff as when it was clamped least since it broke.
-// Stiffness given back at the same overlap would lift the load with energy from nowhere; given back
-// to later load only, it would let a contact creep to nothing under a clamp that comes and goes.
-// Limits: fragments do not separate, strength is not drawn again, and in a bed that is moved much
-// the residual is what stays.
+// is no impact, and only downwards: a stone is as stiff as when it was clamped least since it
+// broke. Stiffness given back at the same overlap would lift the load with energy from nowhere;
+// given back to later load only, it would let a contact creep to nothing under a clamp that comes
+// and goes. Limits: fragments do not separate, strength is not drawn again, and in a bed that is
+// moved much the residual is what stays.
 #pragma once
 
 #include <cstdint>

@@ -197,7 +197,10 @@ void WallContacts<Law>::evaluate_at(ParticleStore& particles, const Wall& wall, 
   MemoryOf<Law, T> memory(history, slot);
   const auto listed = lanes_below<T>(slots_ - slot);
   const auto alive = listed & ((overlap > T(0.0)) | Law::template holds<T>(memory.value));
-  const T arm = radius - T(0.5) * overlap;
+  // A wall has no shell: that of the stone yields alone, the stone itself by half as between
+  // stones.
+  const T inset = overlap - T(0.5) * larger(overlap - T(particles.shell), T(0.0));
+  const T arm = radius - inset;
   const Vec3<T> point = position - normal * arm;
   const Vec3<T> spin = gather<T>(particles.spin, i);
   const Vec3<T> rate = gather<T>(particles.velocity, i) - wall.frame.velocity_at(point) - bending;
@@ -230,7 +233,7 @@ void WallContacts<Law>::evaluate_at(ParticleStore& particles, const Wall& wall, 
   T crush = zero;
   if constexpr (Law::breaks) crush = select(alive, response.stone / (stone * stone), zero);
   Results<T> results;
-  quads(force, select(alive, T(0.5) * overlap, zero), results.force);
+  quads(force, select(alive, inset, zero), results.force);
   quads(moment, crush, results.moment);
   quads(point, select(alive, response.push, zero), results.point);
   quads(moment * arm, crush, results.torque);

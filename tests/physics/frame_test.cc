@@ -122,7 +122,7 @@ TEST(frame, the_force_on_a_bound_pair_leaves_its_linear_and_angular_momentum_alo
   const SlotForce& slot = pair.slot();
   const ParticleStore& stones = pair.stones();
   Vec3d torque = {0, 0, 0};
-  for (int k = 0; k < 2; ++k) torque += slot.moment * (stones.outer_radius(k) - slot.half_overlap);
+  for (int k = 0; k < 2; ++k) torque += slot.moment * (stones.outer_radius(k) - slot.inset);
   const Vec3d apart = pair.normal() * norm(stones.position[0] - stones.position[1]);
   const Vec3d couple = cross(apart, slot.force);
   EXPECT_NEAR(norm(torque + couple) / norm(torque), 0, 1e-12);

@@ -118,6 +118,40 @@ TEST(moving_walls, a_resting_stone_presses_on_the_floor_with_its_weight) {
   EXPECT_NEAR(bed.walls()[0].push, weight, 0.01 * weight);
 }
 
+// A stone with a shell, whose centre is `height` [m] above a floor, after a step without gravity.
+dem::Simulation<Dry> shelled_stone(double height, double speed, double spin) {
+  dem::Settings settings;
+  settings.largest_step = 1e-9;
+  settings.skin = 0.1e-3;
+  settings.gravity = 0;
+  dem::ParticleStore stone = dem::make_stones({{0, 0, height}}, {1e-3}, 2650, 0.5e-3, 1);
+  stone.velocity[0] = {speed, 0, 0};
+  stone.spin[0] = {0, spin, 0};
+  dem::Simulation<Dry> bed(std::move(stone), law(), settings);
+  dem::Wall floor;
+  floor.surface = dem::Plane{};
+  bed.add_wall(floor, law());
+  bed.step();
+  return bed;
+}
+
+TEST(moving_walls, a_shell_is_pressed_until_its_stone_rolls_on_the_face) {
+  // Closed form: a shell of 0.5 mm pressed to nothing rolls on the radius of its stone, 1 mm, and
+  // what slides pushes the stone round, and not the wall, by that arm.
+  const double arm = 1e-3;
+  const dem::Simulation<Dry> rolls = shelled_stone(arm, 0.1, 0.1 / arm);
+  const dem::Vec3d rolling = rolls.walls()[0].force;
+  EXPECT_LT(rolling.z, -0.1);
+  EXPECT_NEAR(rolling.x, 0, 1e-12 * std::abs(rolling.z));
+  const dem::Simulation<Dry> slides = shelled_stone(arm, 0.1, 0);
+  const dem::Vec3d force = slides.walls()[0].force;
+  EXPECT_GT(force.x, 1e-9);
+  const double x = slides.stones().position[0].x;
+  EXPECT_NEAR(slides.walls()[0].moment.y, -x * force.z, 1e-12 * force.x * arm);
+  // 1e-8: in the step it moves by that share of its radius.
+  EXPECT_NEAR(slides.stones().load[0].torque.y, arm * force.x, 1e-8 * arm * force.x);
+}
+
 TEST(moving_walls, a_stone_outside_the_mould_stops_the_run_by_name) {
   // Closed form: a stone of radius 2 mm whose centre is 5 mm beyond the wall overlaps it by 7 mm.
   dem::Settings settings;

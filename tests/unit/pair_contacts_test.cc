@@ -131,7 +131,7 @@ TEST(pair_contacts, forces_found_again_add_up_to_the_loads) {
     sum[i].force += forces[s].force;
     sum[j].force -= forces[s].force;
     for (const std::int32_t k : {i, j})
-      sum[k].torque += forces[s].moment * (stones.outer_radius(k) - forces[s].half_overlap);
+      sum[k].torque += forces[s].moment * (stones.outer_radius(k) - forces[s].inset);
   }
   for (std::size_t k = 0; k < stones.size(); ++k) {
     const double scale = 1e-10 * (1 + norm(known[k].force));
