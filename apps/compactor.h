@@ -32,9 +32,9 @@ class Compactor {
   bool closed() const { return closed_; }
   double closed_at() const { return closed_at_; }           // when the plate came down [s]
   double turns_from() const { return ram().turns_from(); }  // [s]
-  double gyration() const;                         // gyrations done, negative during the ramp
-  double last_turn_ends() const;                   // [s]
-  double head_mass() const { return head_mass_; }  // [kg]
+  double gyration() const;                                  // done, negative before the first
+  double last_turn_ends() const;                            // [s]
+  double head_mass() const { return head_mass_; }           // [kg]
 
   dem::Simulation<Law>& bed() { return bed_; }
   const dem::Simulation<Law>& bed() const { return bed_; }

@@ -39,6 +39,13 @@ Machine size_machine(const GyratoryScene& scene, const Mix& mix) {
         "{:.4g} mm; make it higher, twice that gives room to the loose bed",
         scene.where("mould.elastic.height"), 1e3 * height, 1e2 * reference_voids,
         1e3 * steel->height));
+  const double plate = diameter * (1 - clearance_share);
+  if (const auto& steel = scene.head.elastic; steel && steel->shaft_diameter >= plate)
+    mistakes.push_back(fmt::format(
+        "{}: expected a shaft thinner than the plate, {:.4g} mm for {} stones, found {:.4g} mm; "
+        "take a thinner shaft or a wider mould",
+        scene.where("head.elastic.shaft_diameter"), 1e3 * plate, scene.stones.count,
+        1e3 * steel->shaft_diameter));
   const double largest = 2 * mix.largest_radius();
   if (diameter < least_stones_across * largest)
     mistakes.push_back(scene.where(scene.mould.diameter ? "mould.diameter" : "stones.count") +
@@ -49,7 +56,7 @@ Machine size_machine(const GyratoryScene& scene, const Mix& mix) {
                        " mm; take a wider mould or more stones");
   if (!mistakes.empty()) throw InputError(mistakes);
   const double radius = diameter / 2;
-  return {radius, radius * (1 - clearance_share), pi * radius * radius, height};
+  return {radius, plate / 2, pi * radius * radius, height};
 }
 
 double rigid_head_mass(const HeadScene& head, const Machine& machine) {

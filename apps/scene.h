@@ -92,7 +92,7 @@ struct ElasticHeadScene {
 };
 
 struct HeadScene {
-  std::optional<double> mass;  // of a rigid head [kg]; absent: that of a steel plate and shaft
+  std::optional<double> mass;  // of a rigid head [kg]; absent: that of a steel plate
   double friction = 0.3;       // [-]
   std::optional<ElasticHeadScene> elastic;
 };

@@ -62,13 +62,13 @@ Section describe(std::optional<ElasticMouldScene>& mould) {
 }
 
 Section describe(HeadScene& head) {
-  return {
-      "head",
-      "The loading plate and its ram.",
-      {{&head.mass, "mass", kilogram, positive,
-        "of a rigid head; absent: that of a steel plate and shaft", ours, optional("\"2.8 kg\"")},
-       {&head.friction, "friction", pure, friction_range,
-        "Coulomb coefficient of stones on the plate", authors_code}}};
+  return {"head",
+          "The loading plate and its ram.",
+          {{&head.mass, "mass", kilogram, positive,
+            "of a rigid head; absent: that of a steel plate, 20 mm thick", ours,
+            optional("\"2.8 kg\"")},
+           {&head.friction, "friction", pure, friction_range,
+            "Coulomb coefficient of stones on the plate", authors_code}}};
 }
 
 Section describe(std::optional<ElasticHeadScene>& head) {

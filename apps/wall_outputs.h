@@ -61,7 +61,7 @@ class WallOutputs {
   }
 
   std::vector<double> row();  // means since the last row, one value per column
-  // Maps each gyration once it is done; `gyration` counts from the end of the ramp.
+  // Maps each gyration once it is done; `gyration` counts from the end of the dwell.
   void turn(double gyration, const dem::Wall& mould_wall,
             const std::optional<SteelPart>& steel_mould, Recorder& recorder);
 

@@ -10,6 +10,10 @@ namespace {
 // Phase that an oscillator together with the bed may go through in one time step [rad].
 constexpr double largest_phase = 0.1;
 
+// Of the way to its rest that a static mode goes at an exchange: stable below a gain of 4 (tests/
+// physics/coupling_contact.cc).
+constexpr double static_share = 0.5;
+
 }  // namespace
 
 Eigen::Matrix3Xd letterbox_points(const dem::Wall& wall) {
@@ -56,7 +60,7 @@ void ElasticWall::follow_fully(const Eigen::MatrixXd& compliance, const dem::Wal
       root.asDiagonal() * rest_compliance_ * root.asDiagonal(), Eigen::EigenvaluesOnly);
   const double softest = tractions.eigenvalues().maxCoeff();  // [m3/N]
   const double gain = settings_.bed_modulus / std::sqrt(area.mean()) * softest;
-  rest_share_ = std::min(0.5, 1 / (1 + gain));
+  rest_share_ = std::min(static_share, 1 / (1 + gain));
 }
 
 void ElasticWall::exchange(dem::Wall& wall, dem::Steps steps) {
@@ -96,7 +100,7 @@ void ElasticWall::swing(const Eigen::VectorXd& impulse, dem::Steps steps) {
     const double stiffness = body_.stiffness[m];
     const double least = (stiffness + bed_stiffness_) * std::pow(dt / largest_phase, 2);
     const double mass = std::max(settings_.inertia_scale * body_.mass[m], least);
-    // The stones answer one step late, which acts as a drag of -bed stiffness x delay.
+    // The second part is more than what a bed that answers a step late could drive: stiffness x dt.
     const double drag =
         2 * settings_.damping * std::sqrt(stiffness * mass) + 2 * bed_stiffness_ * dt;
     velocity_[m] +=
@@ -109,8 +113,7 @@ void ElasticWall::relax() {
   const Eigen::VectorXd load = following_.transpose() * gathered_ / span_;  // mean of the span [N]
   for (std::size_t k = 0; k < statics_.size(); ++k) {
     const Eigen::Index m = statics_[k];
-    const double share = std::min(0.5, 1 / (1 + gain_[m]));
-    amplitude_[m] += share * (load[k] / body_.stiffness[m] - amplitude_[m]);
+    amplitude_[m] += static_share * (load[k] / body_.stiffness[m] - amplitude_[m]);
   }
   if (rest_.size() > 0) rest_ += rest_share_ * (rest_compliance_ * (gathered_ / span_) - rest_);
   gathered_.setZero();

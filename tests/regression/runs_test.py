@@ -254,6 +254,14 @@ modes = 20
             self.assertRegex(done.stderr, rf"elastic\.height: expected .*{words}.*found {height}")
             self.assertEqual(os.path.exists(os.path.join(folder, "results.h5")), seen)
 
+    def test_steel_that_cannot_be_is_refused(self):
+        for key, words in (("shaft_diameter=35.99 mm", r"shaft_diameter: .*thinner than the plate"),
+                           ("modes=100000", "modes must be .* below the loaded face's unknowns")):
+            line = command("gyratory", self.folder("refused"), SMALL + ["head.elastic." + key])
+            done = subprocess.run(line + ["--check"], capture_output=True, text=True)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertRegex(done.stderr, words)
+
     def test_bonds_without_energy_are_none(self):
         for energy, some in (("0 J/mm2", False), ("0.01 J/mm2", True)):
             columns, _ = self.gyrate(energy.split()[0], RIGID + [f"binder.bond_energy={energy}"])
