@@ -1,6 +1,7 @@
 // What the summaries of all runs have in common.
 #pragma once
 
+#include "apps/clocks.h"
 #include "apps/mix.h"
 #include "apps/scene.h"
 #include "apps/summary.h"
@@ -29,6 +30,6 @@ BedReport report_on(const dem::Simulation<Law>& bed) {
 }
 
 std::vector<Finding> bed_findings(const BedReport& bed, const Mix& mix,
-                                  const NumericsScene& numerics, int seed, double wall_seconds);
+                                  const NumericsScene& numerics, int seed, const Spent& spent);
 
 }  // namespace apps

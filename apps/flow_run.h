@@ -28,7 +28,7 @@ class FlowRun {
   // after every step.
   void fill(Recorder& recorder, Progress& progress, const Pulse& pulse);
   void press(Recorder& recorder, Progress& progress, const Pulse& pulse);
-  std::vector<Finding> findings(double wall_seconds) const;
+  std::vector<Finding> findings(const Spent& spent) const;
 
   void visit_state(Archive& item);  // see dem/state.h
 
@@ -264,9 +264,9 @@ void FlowRun<Law>::draw(Recorder& recorder) {
 }
 
 template <class Law>
-std::vector<Finding> FlowRun<Law>::findings(double wall_seconds) const {
+std::vector<Finding> FlowRun<Law>::findings(const Spent& spent) const {
   std::vector<Finding> found =
-      bed_findings(report_on(bed_), mix_, scene_.numerics, scene_.run.seed, wall_seconds);
+      bed_findings(report_on(bed_), mix_, scene_.numerics, scene_.run.seed, spent);
   const std::vector<Finding> own = {{"bed_height_m", bed_height_},
                                     {"displacement_m", scene_.flow.displacement},
                                     {"pressure_largest_Pa", largest_pressure_},

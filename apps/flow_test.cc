@@ -57,7 +57,7 @@ void press(const apps::Options& options) {
     settling.finish();
     apps::Progress pressing(std::cout, isatty(STDOUT_FILENO), options.quiet);
     run.press(session.recorder(), pressing, pulse);
-    apps::write_summary(session.file("summary.json"), run.findings(session.wall_seconds()));
+    apps::write_summary(session.file("summary.json"), run.findings(session.spent()));
   });
 }
 

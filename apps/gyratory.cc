@@ -63,7 +63,7 @@ void compact(const apps::Options& options) {
     run.close();
     apps::Progress compaction(std::cout, isatty(STDOUT_FILENO), options.quiet);
     run.compact(session.recorder(), pictures, compaction, pulse);
-    apps::write_summary(session.file("summary.json"), run.findings(session.wall_seconds()));
+    apps::write_summary(session.file("summary.json"), run.findings(session.spent()));
   });
 }
 

@@ -34,7 +34,7 @@ std::vector<Finding> gyratory_findings(const GyratoryScene& scene, const Mix& mi
                                        const Machine& machine, const GyratoryOutcome& outcome) {
   const Rows& rows = outcome.last_gyrations;
   std::vector<Finding> found =
-      bed_findings(outcome.bed, mix, scene.numerics, scene.run.seed, outcome.wall_seconds);
+      bed_findings(outcome.bed, mix, scene.numerics, scene.run.seed, outcome.spent);
   const std::vector<Finding> own = {{"gyrations", scene.gyration.count},
                                     {"settling_steps", outcome.settled_steps},
                                     {"air_voids_start", outcome.voids_at_start},

@@ -24,7 +24,7 @@ struct Rows {
 
 struct GyratoryOutcome {
   BedReport bed;
-  double wall_seconds;
+  Spent spent;
   std::int64_t settled_steps;
   double settled_height;  // [m]
   double head_mass;       // [kg]

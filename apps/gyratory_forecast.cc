@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "apps/progress.h"
+#include "apps/clocks.h"
 #include "apps/steel.h"
 
 namespace apps {

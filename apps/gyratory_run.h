@@ -31,7 +31,7 @@ class GyratoryRun {
   void close();
   void compact(Recorder& recorder, GyratoryPictures& pictures, Progress& progress,
                const Pulse& pulse);
-  std::vector<Finding> findings(double wall_seconds) const;
+  std::vector<Finding> findings(const Spent& spent) const;
 
   void visit_state(Archive& item);  // see dem/state.h
 
@@ -224,9 +224,9 @@ void GyratoryRun<Law>::draw(Recorder& recorder, GyratoryPictures& pictures) {
 }
 
 template <class Law>
-std::vector<Finding> GyratoryRun<Law>::findings(double wall_seconds) const {
+std::vector<Finding> GyratoryRun<Law>::findings(const Spent& spent) const {
   const GyratoryOutcome outcome = {report_on(bed_),
-                                   wall_seconds,
+                                   spent,
                                    settled_steps_,
                                    settled_height_,
                                    compactor_.head_mass(),

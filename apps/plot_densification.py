@@ -36,6 +36,8 @@ class Run:
 def settings_of(folder):
     found = {}
     for path in sorted(folder.glob("runs/*/seed_*/results.h5")):
+        if not (path.parent / "summary.json").exists():
+            continue  # not at its end
         found.setdefault(path.parent.parent.name.replace("_", " "), []).append(Run(path))
     return found
 
@@ -62,7 +64,7 @@ def main():
     options = parser.parse_args()
     settings = settings_of(options.folder)
     if not settings:
-        sys.exit(f"{options.folder}: expected runs/SETTING/seed_N/results.h5 of trade, found none")
+        sys.exit(f"{options.folder}: expected finished runs/SETTING/seed_N of trade, found none")
     with plt.rc_context(STYLE):
         figure = draw(settings, options.first)
         for ending in ("png", "svg"):

@@ -28,10 +28,6 @@ std::string duration(double seconds) {
 
 }  // namespace
 
-double wall_clock() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 Progress::Progress(std::ostream& out, bool terminal, bool quiet, std::function<double()> clock)
     : out_(out), terminal_(terminal), quiet_(quiet), clock_(std::move(clock)) {}
 

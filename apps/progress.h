@@ -8,9 +8,9 @@
 #include <string>
 #include <string_view>
 
-namespace apps {
+#include "apps/clocks.h"
 
-double wall_clock();  // [s] since some fixed moment, never backwards
+namespace apps {
 
 class Progress {
  public:

@@ -6,7 +6,6 @@
 #include <memory>
 
 #include "apps/errors.h"
-#include "apps/progress.h"
 #include "apps/stop_signal.h"
 
 namespace apps {
@@ -35,15 +34,16 @@ Session::Session(const Options& options, const StoredScene& scene, const Provena
     : folder_(options.resume ? RunFolder(options.out)
                              : RunFolder(options.out, scene, options.overwrite)),
       checkpoints_(options.out, scene),
-      began_(wall_clock()) {
+      began_{wall_clock(), processor_clock()} {
   const std::string results = folder_.file("results.h5");
   std::size_t rows = 0;
-  if (options.resume) earlier_ = checkpoints_.newest(tell);
-  if (earlier_) {
-    (*earlier_)("rows", rows);
-    (*earlier_)("wall_seconds", earlier_seconds_);
+  if (options.resume) checkpoint_ = checkpoints_.newest(tell);
+  if (checkpoint_) {
+    (*checkpoint_)("rows", rows);
+    (*checkpoint_)("wall_seconds", earlier_.wall);
+    (*checkpoint_)("processor_seconds", earlier_.processor);
   }
-  if (options.resume && (earlier_ || has_results(results)))
+  if (options.resume && (checkpoint_ || has_results(results)))
     recorder_.emplace(results, std::move(columns), rows);
   else
     recorder_.emplace(results, origin, std::move(columns));
@@ -62,27 +62,29 @@ Session::~Session() {
          "the same only for the same program, libraries and processor");
 }
 
-double Session::wall_seconds() const {
-  return earlier_seconds_ + wall_clock() - began_;
+Spent Session::spent() const {
+  return {earlier_.wall + wall_clock() - began_.wall,
+          earlier_.processor + processor_clock() - began_.processor};
 }
 
 void Session::restore(const State& state) {
-  if (!earlier_) return;
+  if (!checkpoint_) return;
   try {
-    state(*earlier_);
+    state(*checkpoint_);
   } catch (const Unfit& reason) {
     throw OutputError(folder_.path() + ": its checkpoint is of another program: " + reason.what());
   }
-  earlier_.reset();
+  checkpoint_.reset();
 }
 
 void Session::write_checkpoint(const State& state) {
   recorder_->flush();  // first, so that the history has no fewer rows than the checkpoint says
   Archive archive;
   std::size_t rows = recorder_->rows();
-  double spent = wall_seconds();
+  Spent until_now = spent();
   archive("rows", rows);
-  archive("wall_seconds", spent);
+  archive("wall_seconds", until_now.wall);
+  archive("processor_seconds", until_now.processor);
   state(archive);
   checkpoints_.write(std::move(archive));
 }

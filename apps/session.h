@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "apps/checkpoint.h"
+#include "apps/clocks.h"
 #include "apps/program.h"
 #include "apps/recorder.h"
 #include "apps/run_folder.h"
@@ -29,7 +30,7 @@ class Session {
 
   std::string file(const std::string& name) const { return folder_.file(name); }
   Recorder& recorder() { return *recorder_; }
-  double wall_seconds() const;  // spent on the run, earlier sessions included
+  Spent spent() const;  // on the run
 
   // Puts back the state of the checkpoint that the run is continued from, if there is one.
   void restore(const State& state);
@@ -43,11 +44,11 @@ class Session {
 
   RunFolder folder_;
   Checkpoints checkpoints_;
-  std::optional<Archive> earlier_;
+  std::optional<Archive> checkpoint_;  // that the run is continued from
   std::optional<Recorder> recorder_;
   int exceptions_ = std::uncaught_exceptions();
-  double began_;                // on the wall clock [s]
-  double earlier_seconds_ = 0;  // spent by earlier sessions [s]
+  Spent began_;    // what the clocks showed then
+  Spent earlier_;  // in earlier sessions
 };
 
 }  // namespace apps

@@ -5,7 +5,7 @@ set -euo pipefail
 
 packages=(
   g++ cmake ninja-build
-  libdeal.ii-dev libsuitesparse-dev libopenblas0-serial libeigen3-dev librandom123-dev
+  libdeal.ii-dev libsuitesparse-dev libopenblas0-serial libeigen3-dev libboost-dev librandom123-dev
   libhdf5-dev libhdf5-openmpi-dev
   libtomlplusplus-dev libudunits2-dev libudunits2-data libcli11-dev libfmt-dev nlohmann-json3-dev
   libgtest-dev libgmock-dev libbenchmark-dev librapidcheck-dev

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <set>
 
 #include "apps/parameters.h"
 #include "apps/text.h"
@@ -74,6 +75,9 @@ void check(const Study& study, const Numbers& numbers, const Document& document,
     for (const double seed : numbers.seeds)
       if (seed != std::floor(seed))
         mistakes.add(seeds->place, "for study.seeds whole numbers", seeds->written, "round them");
+    if (std::set(numbers.seeds.begin(), numbers.seeds.end()).size() < numbers.seeds.size())
+      mistakes.add(seeds->place, "for study.seeds no number twice", seeds->written,
+                   "a run that is counted twice scatters too little");
     if (numbers.seeds.empty())
       mistakes.add(seeds->place, "for study.seeds at least one", seeds->written, "add some");
   }
@@ -85,6 +89,18 @@ void check(const Study& study, const Numbers& numbers, const Document& document,
 }
 
 }  // namespace
+
+std::string all_of_scene(const std::string& path, const std::vector<std::string>& overrides) {
+  Mistakes told_by_its_program;
+  const Document scene = read_document(path, overrides, told_by_its_program);
+  std::string text;
+  for (const auto& [key, value] : scene.values) text += key + " = " + value.written + '\n';
+  const std::string gradation = "stones.gradation";
+  const Value* table = scene.find(gradation);
+  const std::string* file = table ? std::get_if<std::string>(&table->content) : nullptr;
+  if (file) text += read_text(scene.path_from(gradation, *file)).value_or("");
+  return text;
+}
 
 std::string as_word(const std::string& name) {
   std::string word = name;

@@ -1,6 +1,7 @@
 #include "apps/study_errors.h"
 
 #include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
 #include <cassert>
 #include <cmath>
 #include <numeric>
@@ -75,6 +76,20 @@ std::vector<double> mean_of(const std::vector<std::vector<double>>& runs) {
   return mean;
 }
 
+// What the mean over a few runs may be off by, in its standard errors, in 19 of 20 cases.
+double student(double freedom) {
+  return boost::math::quantile(boost::math::students_t(freedom), 0.975);
+}
+
+// By point.
+std::vector<double> squares_about(const std::vector<double>& mean,
+                                  const std::vector<std::vector<double>>& runs) {
+  std::vector<double> sum(mean.size(), 0);
+  for (const auto& run : runs)
+    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += (run[k] - mean[k]) * (run[k] - mean[k]);
+  return sum;
+}
+
 }  // namespace
 
 Interest interest_of(const std::string& program) {
@@ -123,18 +138,17 @@ Judgement judge(const std::vector<std::vector<double>>& setting,
       std::ranges::any_of(reference, lacks))
     return {};
   const std::vector<double> expected = mean_of(reference), found = mean_of(setting);
-  std::vector<double> difference(expected.size()), deviation(expected.size(), 0);
-  const auto seeds = static_cast<double>(reference.size());
+  const auto squares = squares_about(expected, reference), others = squares_about(found, setting);
+  const auto n = static_cast<double>(reference.size()), m = static_cast<double>(setting.size());
+  std::vector<double> difference(expected.size()), deviation(expected.size());
   for (std::size_t k = 0; k < expected.size(); ++k) {
     difference[k] = found[k] - expected[k];
-    for (const auto& run : reference)
-      deviation[k] += (run[k] - expected[k]) * (run[k] - expected[k]) / (seeds - 1);
-    deviation[k] = std::sqrt(deviation[k]);
+    deviation[k] = std::sqrt((squares[k] + others[k]) / (n + m - 2));
   }
   const double size = std::max(rms(expected), least_size);
-  const double both = std::sqrt(1 / seeds + 1 / static_cast<double>(setting.size()));
+  const double chance = student(n + m - 2) * std::sqrt(1 / n + 1 / m) * rms(deviation);
   const int sign = expected.size() > 1 ? 0 : difference.front() < 0 ? -1 : 1;
-  return {rms(difference) / size, sign, 2 * both * rms(deviation) / size, true};
+  return {rms(difference) / size, sign, chance / size, true};
 }
 
 }  // namespace apps

@@ -1,9 +1,10 @@
 // What the settings of a study differ in, against its reference and against the scatter over seeds.
 //
-// Every quantity is a curve of m points, a number being one point. Of n seeds each,
+// Every quantity is a curve of some points, a number being one point. Of n and m seeds,
 //   error = rms over the points of (mean over seeds of setting - of reference) / size,
-//   noise = 2 sqrt(2 / n) x rms over the points of the reference's standard deviation / size,
-// size being the rms of the reference's mean. A difference of two means of n runs that differ by
+//   noise = t sqrt(1 / n + 1 / m) x rms over the points of the deviation / size,
+// with the rms of the reference's mean as size, the pooled standard deviation of both, and t for
+// n + m - 2 degrees of freedom and 95 % (Student, 1908). A difference of two numbers that differ by
 // nothing but chance stays below the noise in 19 of 20 cases: what is inside it is no error.
 #pragma once
 

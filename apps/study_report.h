@@ -16,20 +16,23 @@ class StudyReport {
   StudyReport(const Study& study, const std::vector<StudyRun>& runs);
 
   std::string table() const;  // Markdown
-  // Of every setting with a finished run: /settings/<word>/seconds by seed, and of every quantity
-  // error, noise, by_seed, or for a curve its mean; throws OutputError.
+  // Of every setting with a finished run: /settings/<word>/seeds, and seconds and steps by
+  // seed; of every quantity error, noise, and seed_<n>, its points. Throws OutputError.
   void record(const std::string& path) const;
-  // The setting that takes the least time of those whose errors beyond noise are all below.
+  // The setting that takes the least time of those whose errors are all known, and below where they
+  // are beyond the noise.
   std::string cheapest(double tolerance) const;
 
  private:
   struct Row {
     const Setting* setting;
-    std::vector<double> seconds, steps;  // of the runs that finished
+    std::vector<double> seeds;           // of the runs that finished
+    std::vector<double> seconds, steps;  // of the same; seconds of a processor
     std::vector<Found> found;            // of the same
     std::vector<std::string> trouble;    // of those that did not
     std::vector<Judgement> judgement;    // by quantity
     double mean_seconds() const;
+    bool known() const;
     double worst() const;  // error beyond noise [-]
   };
 
@@ -40,6 +43,7 @@ class StudyReport {
   const Study& study_;
   Interest interest_;
   std::vector<Row> rows_;
+  std::size_t of_other_builds_ = 0;  // runs
 };
 
 }  // namespace apps

@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <spawn.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -10,8 +9,8 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <functional>
 #include <map>
-#include <optional>
 #include <thread>
 
 #include "apps/errors.h"
@@ -24,10 +23,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += word + '\n';
-  return text;
+// By which two builds of a program are told apart.
+std::string build_of(const std::string& program) {
+  return std::to_string(std::hash<std::string>()(read_text(program).value_or("")));
 }
 
 // Starts a process whose words on both channels go to a file.
@@ -51,17 +49,14 @@ pid_t start(const std::vector<std::string>& words, const std::string& log) {
 struct Traces {
   explicit Traces(const std::string& folder)
       : asked(folder + ".asked"),
-        spent(folder + ".seconds"),
+        build(folder + ".build"),
         stopped(folder + ".stopped"),
-        log(folder + ".log") {}
-  std::string asked, spent, stopped, log;
+        log(folder + ".log"),
+        summary(folder + "/summary.json") {}
+  std::string asked, build, stopped, log, summary;
 
-  double seconds() const {
-    const std::optional<std::string> text = read_text(spent);
-    return text ? std::atof(text->c_str()) : 0;
-  }
   void forget() const {
-    for (const std::string& file : {asked, spent, stopped}) fs::remove(file);
+    for (const std::string& file : {asked, build, stopped, summary}) fs::remove(file);
   }
 };
 
@@ -73,25 +68,33 @@ std::string last_line(const std::string& log) {
 class Fleet {
  public:
   explicit Fleet(std::vector<StudyRun>& runs) : runs_(runs) {}
+  // Where something was thrown there are some; the others have ended.
+  ~Fleet() {
+    tell_to_stop();
+    for (const auto& [process, run] : afloat_) waitpid(process, nullptr, 0);
+  }
 
   // False if the run is over already.
   bool launch(std::size_t k) {
     StudyRun& run = runs_[k];
     const Traces traces(run.folder);
-    if (read_text(traces.asked) != joined(run.command)) traces.forget();
-    run.seconds = traces.seconds();
-    run.finished = fs::exists(run.folder + "/summary.json") && fs::exists(traces.asked);
+    if (read_text(traces.asked) != run.asked) traces.forget();
+    const std::string build = build_of(run.command[0]);
+    run.other_build = read_text(traces.build).value_or(build) != build;
+    run.finished = fs::exists(traces.summary);
     if (const auto trouble = read_text(traces.stopped)) run.trouble = trimmed(*trouble);
     if (run.finished || !run.trouble.empty()) return false;
     const bool begun = fs::exists(traces.asked) && fs::exists(run.folder + "/scene.toml");
     std::vector<std::string> words = run.command;
-    if (begun)
-      words = {run.command[0], "--resume", run.folder};
-    else
-      words.insert(words.end(), {"--out", run.folder, "--overwrite"});
-    words.insert(words.end(), {"--threads", "1", "--quiet"});
     fs::create_directories(fs::path(run.folder).parent_path());
-    write_whole_file(traces.asked, joined(run.command));
+    if (begun) {
+      words = {run.command[0], "--resume", run.folder};
+    } else {
+      words.insert(words.end(), {"--out", run.folder, "--overwrite"});
+      write_whole_file(traces.build, build);
+      write_whole_file(traces.asked, run.asked);
+    }
+    words.insert(words.end(), {"--threads", "1", "--quiet"});
     afloat_[start(words, traces.log)] = k;
     return true;
   }
@@ -99,21 +102,15 @@ class Fleet {
   // Takes in one process that has ended, if there is one.
   bool land() {
     int status = 0;
-    rusage used = {};
-    const pid_t process = wait4(-1, &status, WNOHANG, &used);
+    const pid_t process = waitpid(-1, &status, WNOHANG);
     const auto found = afloat_.find(process);
     if (process <= 0 || found == afloat_.end()) return false;
     StudyRun& run = runs_[found->second];
     afloat_.erase(found);
     const Traces traces(run.folder);
-    const auto seconds = [](const timeval& t) {
-      return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-    };
-    run.seconds = traces.seconds() + seconds(used.ru_utime) + seconds(used.ru_stime);
-    write_whole_file(traces.spent, std::to_string(run.seconds));
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : stopped + WTERMSIG(status);
     run.finished = code == ok;
-    if (code == numerical_trouble) {
+    if (code == numerical_trouble || code == bad_input) {
       run.trouble = last_line(traces.log);
       write_whole_file(traces.stopped, run.trouble);
     } else if (code != ok && !told_ && !(stop_signal() && code >= stopped)) {

@@ -1,5 +1,5 @@
 // The runs of a study: processes side by side, each in its own folder. Runs that are there already
-// are not repeated, interrupted ones go on.
+// are not repeated, interrupted ones go on, and those that were asked something else are run anew.
 #pragma once
 
 #include <functional>
@@ -11,16 +11,18 @@ namespace apps {
 struct StudyRun {
   std::string folder;
   std::vector<std::string> command;  // program, scene and --set options
+  std::string asked;                 // program and all of the scene: by this a run is known again
 
   // Afterwards.
   bool finished = false;
-  double seconds = 0;   // of a processor, over all sessions
-  std::string trouble;  // why it stopped by itself, as it said
+  bool other_build = false;  // of the program made it, or began it
+  std::string trouble;       // why it stopped by itself, as it said
 };
 
 // Runs at most `at_once` processes together. `look` is called now and then with the number of runs
-// that are over. Throws InputError where a run refuses its scene, OutputError where files make
-// trouble, and Stopped, after all runs have left their checkpoints, where it is asked to stop.
+// that are over. A run that stops in numerical trouble, or refuses its scene on the way, is in
+// trouble, and the others go on. Throws OutputError where files make trouble, and Stopped where it
+// is asked to stop; both after all runs have left their checkpoints.
 void carry_out(std::vector<StudyRun>& runs, int at_once,
                const std::function<void(std::size_t over)>& look);
 

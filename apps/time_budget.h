@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "apps/progress.h"
+#include "apps/clocks.h"
 #include "apps/summary.h"
 
 namespace apps {

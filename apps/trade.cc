@@ -45,9 +45,11 @@ std::vector<apps::StudyRun> runs_of(const apps::Study& study, const std::string&
       apps::StudyRun run;
       run.folder = fmt::format("{}/runs/{}/seed_{}", out, setting.word, seed);
       run.command = {programs / study.program, study.scene};
-      for (const std::string& key : setting.overrides)
+      std::vector<std::string> overrides = setting.overrides;
+      overrides.push_back(fmt::format("run.seed={}", seed));
+      for (const std::string& key : overrides)
         run.command.insert(run.command.end(), {"--set", key});
-      run.command.insert(run.command.end(), {"--set", fmt::format("run.seed={}", seed)});
+      run.asked = study.program + '\n' + apps::all_of_scene(study.scene, overrides);
       runs.push_back(std::move(run));
     }
   return runs;

@@ -14,9 +14,9 @@ class Mix:
         self.name = name
         word = "".join(c if c.isalnum() or c in ".-" else "_" for c in name.replace(",", ""))
         place = study / "runs" / word
-        self.runs = [Run(folder) for folder in sorted(place.glob("seed_?"))
+        self.runs = [Run(folder) for folder in sorted(place.glob("seed_*"))
                      if (folder / "summary.json").exists()]
-        self.stopped = {path.stem: path.read_text() for path in sorted(place.glob("seed_?.stopped"))}
+        self.stopped = {path.stem: path.read_text() for path in sorted(place.glob("seed_*.stopped"))}
 
     def values(self, of):
         return np.array([of(run) for run in self.runs])
@@ -110,7 +110,8 @@ def decrease(run):
 
 
 def internal_angle(run):
-    return np.mean(run.columns["internal_angle"])
+    """Mean of the gyrations [deg]."""
+    return np.mean(run.columns["internal_angle"][run.gyrating()])
 
 
 def traction(run):

@@ -135,8 +135,8 @@ TEST(fracture, a_squeezed_stone_breaks_when_its_strength_is_reached_and_only_onc
 
 TEST(fracture, a_clamp_that_comes_and_goes_does_not_soften_a_stone_for_ever) {
   // By the rule: the share is that of the weakest clamp since the break, which is as weak in every
-  // turn, and the force between the plates that broke the stone is that
-  // of a whole one times the share. Closed form of the force: Hertz.
+  // turn, and the force between the plates that broke the stone is that of a whole one times the
+  // share. Closed form of the force: Hertz.
   Simulation<Law> press = squeeze(20e6);
   for (const double side : {1.0, -1.0}) {
     Frame frame;

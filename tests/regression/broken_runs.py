@@ -17,7 +17,7 @@ STEEL = ["stones.count=80", "mould.diameter=32 mm", "gyration.ramp=0.1 s", "gyra
          "mould.elastic.height=60 mm", "output.picture_interval=0.03 s"] + OFTEN
 RIGID = STEEL + small_runs.RIGID
 # Of a summary, what tells of the clock and not of the run.
-CLOCK = "seconds_", "wall_seconds", "particle_steps_per_second"
+CLOCK = "seconds_", "wall_seconds", "processor_seconds", "particle_steps_per_second"
 
 
 class BrokenRuns(small_runs.SmallRuns):

@@ -99,16 +99,33 @@ class Trade(SmallRuns):
         self.assertEqual(answer.returncode, 0, answer.stderr)
         self.assertRegex(answer.stdout, r"\| the same \| stopped: stone \d+, time .* overlap")
 
+    def test_a_run_that_refuses_its_scene_on_the_way_is_told(self):
+        # The mould holds the specimen, not the loose bed: seen when the head comes down.
+        study = os.path.join(SCENES, "studies", "gyratory_small.toml")
+        with open(study) as file:
+            text = file.read().replace("../", SCENES + "/")
+        low = text.split("[[setting]]")[0] + """[[setting]]
+name = "reference"
+gyration.count = 0.01
+[[setting]]
+name = "low"
+mould.elastic.height = "46 mm"
+"""
+        answer = self.study(low)
+        self.assertEqual(answer.returncode, 0, answer.stderr)
+        self.assertRegex(answer.stdout, r"\| low \| .* expected a mould as high as the settled bed")
+
     def test_the_slope_of_a_straight_line_is_found(self):
         # By construction: 3 and 5 per cent per decade, after gyrations that count for nothing.
         for seed, slope in (1, 0.03), (2, 0.05):
             folder = os.path.join(self.out, "runs", "a_mix", f"seed_{seed}")
-            os.makedirs(folder)
             gyration = numpy.linspace(-1, 20, 400)
             line = slope * numpy.log10(numpy.maximum(gyration, 1e-9))
-            with h5py.File(os.path.join(folder, "results.h5"), "w") as file:
-                file["history/gyration"] = gyration
-                file["history/air_voids"] = numpy.where(gyration < 5, 0.3, 0.25 - line)
+            self.write_densification(folder, gyration, numpy.where(gyration < 5, 0.3, 0.25 - line))
+            open(os.path.join(folder, "summary.json"), "w").close()
+        # One that has not come to its end does not count.
+        folder = os.path.join(self.out, "runs", "a_mix", "seed_12")
+        self.write_densification(folder, numpy.linspace(0, 6, 100), numpy.full(100, 0.3))
         answer = run_script("plot_densification.py", self.out, "--from", "5")
         self.assertEqual(answer.returncode, 0, answer.stderr)
         self.assertIn("| a mix | 2 | 4.00 | 1.00 |", answer.stdout)
@@ -116,6 +133,12 @@ class Trade(SmallRuns):
         empty = run_script("plot_densification.py", self.folder("empty"))
         self.assertNotEqual(empty.returncode, 0)
         self.assertEqual(len(empty.stderr.splitlines()), 1)
+
+    def write_densification(self, folder, gyration, air_voids):
+        os.makedirs(folder)
+        with h5py.File(os.path.join(folder, "results.h5"), "w") as file:
+            file["history/gyration"] = gyration
+            file["history/air_voids"] = air_voids
 
     def test_the_paper_is_held_against_its_study(self):
         # By construction: cold mixes rise a millimetre higher under half the pressure, which grows

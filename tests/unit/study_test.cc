@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "apps/study_errors.h"
 #include "tests/unit/recorder_fixture.h"
@@ -75,19 +76,59 @@ TEST_F(StudyTest, reports_every_mistake_with_its_place) {
   EXPECT_THAT(found, ElementsAre(HasSubstr(":2:11: "), HasSubstr(":3:9: "), HasSubstr(":4:9: "),
                                  HasSubstr(":5:13: "), HasSubstr(":6:1: "), HasSubstr(":10:8: "),
                                  HasSubstr(":11:1: ")));
+  EXPECT_THAT(mistakes("[study]\nprogram = \"gyratory\"\nscene = \"scene.toml\"\n"
+                       "seeds = [3, 3]\nreference = \"a\"\n[[setting]]\nname = \"a\"\n"),
+              ElementsAre(HasSubstr(":4:9: expected for study.seeds no number twice")));
+}
+
+TEST_F(StudyTest, knows_a_run_by_all_of_its_scene) {
+  const std::string base = files_.write("base.toml", "[stones]\ngradation = \"sieves.csv\"\n");
+  const std::string scene =
+      files_.write("whole.toml", "include = \"base.toml\"\n[run]\nseed = 1\n");
+  files_.write("sieves.csv", "11.2, 100\n");
+  const std::string before = all_of_scene(scene, {});
+  EXPECT_EQ(all_of_scene(scene, {}), before);
+  EXPECT_NE(all_of_scene(scene, {"run.seed=2"}), before);
+  files_.write("sieves.csv", "11.2, 95\n");
+  EXPECT_NE(all_of_scene(scene, {}), before);
+  files_.write("sieves.csv", "11.2, 100\n");
+  files_.write("base.toml", "[stones]\ngradation = \"sieves.csv\"\nyoung = \"1 GPa\"\n");
+  EXPECT_NE(all_of_scene(scene, {}), before);
 }
 
 TEST(study_errors, are_differences_of_means_over_the_size_of_the_reference) {
-  // Closed form: means 10 and 12, size 10: error 0.2; deviation sqrt(2), two runs each: noise
-  // 2 sqrt(1/2 + 1/2) sqrt(2) / 10.
+  // Closed form: means 10 and 12, size 10: error 0.2; squares 2 and 0 of two runs each: deviation
+  // sqrt(2 / 2), noise t sqrt(1/2 + 1/2) / 10, with t of two degrees of freedom from a table.
   const Judgement j = judge({{12}, {12}}, {{9}, {11}}, 0);
   EXPECT_TRUE(j.known);
   EXPECT_NEAR(j.error, 0.2, 1e-15);
-  EXPECT_NEAR(j.noise, 2 * std::sqrt(2.0) / 10, 1e-15);
+  EXPECT_NEAR(j.noise, 4.30265 / 10, 1e-6);
   EXPECT_EQ(j.sign, 1);
   EXPECT_FALSE(j.beyond());
   EXPECT_EQ(judge({{6}}, {{9}, {11}}, 0).sign, -1);
-  EXPECT_TRUE(judge({{14}, {14}}, {{9}, {11}}, 0).beyond());
+  EXPECT_FALSE(judge({{14}, {14}}, {{9}, {11}}, 0).beyond());
+  EXPECT_TRUE(judge({{15}, {15}}, {{9}, {11}}, 0).beyond());
+}
+
+TEST(study_errors, count_the_scatter_of_both) {
+  // One stone that breaks in one of six runs is chance, though it breaks in none of the reference.
+  const std::vector<std::vector<double>> none(6, {0}), one = {{0}, {0}, {1}, {0}, {0}, {0}};
+  EXPECT_NEAR(judge(one, none, 1).error, 1.0 / 6, 1e-15);
+  EXPECT_FALSE(judge(one, none, 1).beyond());
+}
+
+TEST(study_errors, of_chance_alone_stay_inside_the_noise_in_19_of_20_cases) {
+  // 4000 studies of five and three seeds of normal numbers; the share scatters by 0.0034.
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal(10, 1);
+  const auto runs = [&](int count) {
+    std::vector<std::vector<double>> found;
+    for (int k = 0; k < count; ++k) found.push_back({normal(random)});
+    return found;
+  };
+  int beyond = 0;
+  for (int k = 0; k < 4000; ++k) beyond += judge(runs(3), runs(5), 0).beyond();
+  EXPECT_NEAR(beyond / 4000.0, 0.05, 0.012);
 }
 
 TEST(study_errors, of_curves_are_rms_over_their_points) {
