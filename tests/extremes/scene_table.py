@@ -65,9 +65,9 @@ def settings(place, long):
         yield pressure, {"gyration.pressure": pressure}
     for angle in (0, 5):
         yield f"tilt {angle} deg", {"gyration.angle": f"{angle} deg"}
-    for speed in (1, 300):
-        yield f"{speed} rev/min", {"gyration.speed": f"{speed / 60} rev/s",
-                                   "gyration.count": 0.02 if speed == 1 else 2}
+    for speed, count in ((1, 0.02), (300, 2)):
+        yield f"{speed} rev/min, {count} gyrations", {"gyration.speed": f"{speed / 60} rev/s",
+                                                      "gyration.count": count}
     for label, modulus in (("-20 degC: 500 MPa", "500 MPa"), ("200 degC: 10 kPa", "10 kPa")):
         yield label, {"binder.temperature": "none", "binder.shear_modulus": modulus,
                       "binder.alpha": "[0.513, 0.487]", "binder.tau": "[0.0948, 105.9]"}
@@ -77,10 +77,10 @@ def settings(place, long):
     for friction in (0, 1.5):
         yield f"friction {friction}", {"stones.friction": friction, "mould.wall_friction": friction,
                                        "head.friction": friction}
-    yield "equal stones", {"stones.gradation": sieves(place, [(7.9, 0), (8, 100)]),
+    yield "equal stones, mould of 50 mm", {"stones.gradation": sieves(place, [(7.9, 0), (8, 100)]),
                            "stones.distribution": "log_linear", "stones.smallest": "7.9 mm",
                            "binder.content": "6.6 %", "mould.diameter": "50 mm"}
-    yield "sizes 1:16", {"stones.gradation": sieves(place, [(1, 0), (16, 100)]),
+    yield "sizes 1:16, 1500 stones", {"stones.gradation": sieves(place, [(1, 0), (16, 100)]),
                          "stones.distribution": "log_linear", "stones.smallest": "1 mm",
                          "stones.count": 1500, "mould.diameter": "40 mm",
                          "output.energy_ledger": "false"}
@@ -91,7 +91,8 @@ def settings(place, long):
             "binder": "none", "stones.fracture": "none", "stones.restitution": restitution}
     for scale in (1, 1e2, 1e5, 1e6, 1e7):
         brief = {"gyration.ramp": "0.02 s", "gyration.count": 0.02} if scale < 10 else {}
-        yield f"mass scale {scale:.0e}", {"numerics.mass_scale": scale, **brief}
+        yield (f"mass scale {scale:.0e}" + ", 0.02 gyrations" * bool(brief),
+               {"numerics.mass_scale": scale, **brief})
     for safety in (0.5, 0.8, 1):
         yield f"time step {safety} sqrt(m/k)", {"numerics.safety": safety}
 
