@@ -78,9 +78,11 @@ class Fleet {
   bool launch(std::size_t k) {
     StudyRun& run = runs_[k];
     const Traces traces(run.folder);
-    if (read_text(traces.asked) != run.asked) traces.forget();
     const std::string build = build_of(run.command[0]);
-    run.other_build = read_text(traces.build).value_or(build) != build;
+    const auto of_other_build = [&] { return read_text(traces.build).value_or(build) != build; };
+    const bool stopped_by_other = fs::exists(traces.stopped) && of_other_build();
+    if (read_text(traces.asked) != run.asked || stopped_by_other) traces.forget();
+    run.other_build = of_other_build();
     run.finished = fs::exists(traces.summary);
     if (const auto trouble = read_text(traces.stopped)) run.trouble = trimmed(*trouble);
     if (run.finished || !run.trouble.empty()) return false;

@@ -1,5 +1,6 @@
 // The runs of a study: processes side by side, each in its own folder. Runs that are there already
-// are not repeated, interrupted ones go on, and those that were asked something else are run anew.
+// are not repeated, interrupted ones go on, and those that were asked something else, or came to
+// grief with another build of the program, are run anew.
 #pragma once
 
 #include <functional>

@@ -169,7 +169,7 @@ TEST(fracture, a_clamp_that_comes_and_goes_does_not_soften_a_stone_for_ever) {
          press.walls()[0].push * softest / (4.0 / 3 * 3.8e10 * std::sqrt(4e-3) * std::pow(d, 1.5)),
          1, relative(1e-9), "Hertz, softer by the share of the weakest clamp"});
   // The walls stop up to a step late, so that the clamp wanders: a tenth. Stiffness that came back
-  // to later load only would leave a hundredth of it.
+  // to later load only left a twentieth of it.
   EXPECT_NEAR(press.walls()[0].push, after_two, 0.1 * after_two);
 }
 
