@@ -14,7 +14,7 @@
 namespace {
 
 void foretell(const apps::FlowTestScene& scene, const apps::Mix& mix, const apps::LawBook& book) {
-  constexpr double usual_pressure = 100e3;  // under the strip (Olsson, Jelagin, Partl, figure 3)
+  constexpr double usual_pressure = 100e3;  // under the strip, a guess: deep in a box it is tenfold
   const apps::FlowScene& flow = scene.flow;
   const apps::BedPlan plan = {scene.stones, scene.fill, scene.numerics, scene.run.seed,
                               dem::RectangularMould{flow.length, flow.width}};

@@ -182,11 +182,16 @@ void GyratoryRun<Law>::compact(Recorder& recorder, GyratoryPictures& pictures, P
   const double began = wall_clock();
   const std::int64_t first_step = bed_.steps();
   for (;;) {
-    while (bed_.time() < std::min(next_row_, end)) {
+    // A row ends where the gyrations begin, however long rows are: changes are counted from there.
+    constexpr double apart = 1e-9;  // [s]
+    const double begin = compactor_.turns_from();
+    const bool begins = bed_.time() < begin && begin < next_row_ - apart;
+    while (bed_.time() < std::min(begins ? begin : next_row_, end)) {
       step();
       pulse();
     }
-    next_row_ = row_after(next_row_, scene_.output.history_interval, bed_.time());
+    const double interval = begins ? 0 : scene_.output.history_interval;
+    next_row_ = row_after(next_row_, interval, bed_.time());
     record(recorder);
     if (bed_.time() >= end) break;
     if (bed_.time() >= next_picture_) {

@@ -36,7 +36,7 @@ def flow_statements(flow):
            f"{most[0]:+.2f} mm (+-{most[1]:.2g})",
            "agrees" if least[0] < 0 < most[0] - 2 * most[1]
            else "in part" if least[0] < 0 < risen[0] - 2 * risen[1] else "not shown",
-           f"{sunk[0]:.2f} mm under its weight, before the strip presses with 1 kPa; "
+           f"{sunk[0]:.2f} mm when the strip begins to press with 1 kPa, much of it by weight; "
            f"the strip goes {1e3 * depth(flow):.0f} mm deep")
     highest = max(mix.values(uplift).max() for mix in flow.values())
     yield ("An uplift of up to 5 mm (3.2)", f"{highest:+.2f} mm, the largest of all runs",

@@ -75,7 +75,7 @@ struct ElasticMouldScene {
 
 struct MouldScene {
   std::optional<double> diameter;      // [m]; exactly one of the two
-  std::optional<double> aspect_ratio;  // settled height / diameter [-]
+  std::optional<double> aspect_ratio;  // of the specimen at 4 % air voids [-]
   double wall_friction = 0.3;          // [-]
   std::optional<ElasticMouldScene> elastic;
 };

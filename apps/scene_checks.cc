@@ -6,6 +6,7 @@
 #include "apps/binder_table.h"
 #include "apps/sections.h"
 #include "apps/sieve_table.h"
+#include "dem/gradation.h"
 
 namespace apps {
 namespace {
@@ -23,8 +24,10 @@ class CrossCheck {
     mistakes_.add(in_table);
     if (in_table.any() || !sound("stones.smallest")) return;
     const std::vector<double>& sieve = stones.sieves.sieve;
-    if (stones.smallest < sieve.front() || stones.smallest >= sieve.back())
-      refuse("stones.smallest", "a sieve from the finest to below the coarsest of its table",
+    if (stones.smallest < sieve.front() || stones.smallest >= sieve.back() ||
+        dem::passing_at(stones.sieves, stones.smallest) >= 1)
+      refuse("stones.smallest",
+             "a size from the finest sieve of its table on that some are larger than",
              "choose one within " + stones.gradation);
   }
 

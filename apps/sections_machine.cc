@@ -38,11 +38,11 @@ void add_steel(Section& section, ElasticScene& body) {
 
 Section describe(MouldScene& mould) {
   return {"mould",
-          "A cylinder. Give either its diameter, or the aspect ratio of the settled mix.",
+          "A cylinder. Give either its diameter, or the aspect ratio of the specimen.",
           {{&mould.diameter, "diameter", millimetre, positive, "inside", standard,
             alternative("\"150 mm\"")},
            {&mould.aspect_ratio, "aspect_ratio", pure, positive,
-            "height of the settled stones / diameter: the mould is scaled to their number",
+            "height of the specimen at 4 % air voids / diameter: the mould is scaled to the stones",
             authors_code, optional("1")},
            {&mould.wall_friction, "wall_friction", pure, friction_range,
             "Coulomb coefficient of stones on wall and base", authors_code}}};

@@ -3,7 +3,6 @@
 #include <udunits2.h>
 
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <string_view>
 
@@ -18,6 +17,18 @@ bool has_angle(const ut_unit* unit) {
   std::array<char, 256> definition{};
   ut_format(unit, definition.data(), definition.size() - 1, UT_ASCII | UT_DEFINITION);
   return std::string_view(definition.data()).find("rad") != std::string_view::npos;
+}
+
+// A number that is no exponent, as in "5 kPa", would silently scale the one before the unit.
+bool is_scaled(std::string_view unit) {
+  constexpr std::string_view digits = "0123456789", of_exponent = "0123456789+-^", apart = " ./*()";
+  const bool inverse = unit == "1" || unit.starts_with("1/");
+  for (std::size_t k = inverse ? 1 : 0; k < unit.size(); ++k) {
+    if (digits.find(unit[k]) == digits.npos) continue;
+    const std::size_t name = unit.substr(0, k).find_last_not_of(of_exponent);
+    if (name == unit.npos || apart.find(unit[name]) != apart.npos) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -55,11 +66,8 @@ UnitSystem::UnitSystem() {
 }
 
 UnitSystem::UnitPointer UnitSystem::parse(const std::string& unit) const {
-  std::string whole = unit.starts_with('/') ? "1" + unit : unit;
-  // A second number would silently scale the first: "600 5 kPa".
-  const bool scaled = !whole.empty() && std::isdigit(static_cast<unsigned char>(whole.front())) &&
-                      whole != "1" && !whole.starts_with("1/");
-  if (scaled) return nullptr;
+  if (is_scaled(unit)) return nullptr;
+  const std::string whole = unit.starts_with('/') ? "1" + unit : unit;
   return UnitPointer(ut_parse(system_.get(), whole.c_str(), UT_UTF8));
 }
 

@@ -25,7 +25,7 @@ struct ParticleStore {
   // Written once, when the stones are made.
   std::vector<std::uint32_t> id;
   std::vector<double> radius;    // of the bare stone [m]
-  std::vector<double> mass;      // true mass: what weighs [kg]
+  std::vector<double> mass;      // mass of the stone without its shell: what weighs [kg]
   std::vector<double> inertia;   // what resists acceleration: mass, or more where it is scaled [kg]
   std::vector<double> strength;  // Weibull strength [Pa]; empty when stones do not break
 

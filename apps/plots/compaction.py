@@ -158,7 +158,7 @@ def flow(runs):
         x = relative_displacement(run)
         axes[0].plot(x, run.shown("pressure"), color=colour_of(runs, run), linewidth=1)
         axes[1].plot(x, run.shown("uplift"), color=colour_of(runs, run), linewidth=1)
-    for panel, title, words in zip(axes, ("Pressure under the strip", "Uplift beside the strip"),
+    for panel, title, words in zip(axes, ("Pressure under the strip", "Uplift of the ten highest stones"),
                                    ("force / area [kPa]", "ten highest points [mm]")):
         panel.set_title(title)
         panel.set_xlabel("displacement / height of the bed [-]")
@@ -203,7 +203,7 @@ def overview(run):
         axes = page.subplots(3, 1)
         x = ("displacement", "strip displacement")
         curves(axes[0], runs, x, [("pressure", None)], "Pressure under the strip", "pressure")
-        curves(axes[1], runs, x, [("uplift", None)], "Uplift beside the strip", "uplift")
+        curves(axes[1], runs, x, [("uplift", None)], "Uplift of the ten highest stones", "uplift")
         axes[1].axhline(0, color=INK, linewidth=0.8)
         draw_fractured(axes[2], runs, x)
         return page

@@ -64,8 +64,9 @@ def rise(run):
 
 
 def sinking(run):
-    """Uplift by the bed's own weight, before the strip presses with 1 kPa [mm]."""
-    return 1e3 * run.columns["uplift"][np.argmax(run.columns["pressure"] > 1e3)]
+    """Uplift when the strip begins to press with 1 kPa [mm], nan if it never does."""
+    pressed = run.columns["pressure"] > 1e3
+    return 1e3 * run.columns["uplift"][np.argmax(pressed)] if pressed.any() else np.nan
 
 
 def late(run):

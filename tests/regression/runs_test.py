@@ -256,11 +256,20 @@ modes = 20
 
     def test_steel_that_cannot_be_is_refused(self):
         for key, words in (("shaft_diameter=35.99 mm", r"shaft_diameter: .*thinner than the plate"),
-                           ("modes=100000", "modes must be .* below the loaded face's unknowns")):
+                           ("modes=100000", r"elastic\.modes: expected fewer .*found 100000; take fewer")):
             line = command("gyratory", self.folder("refused"), SMALL + ["head.elastic." + key])
+            line.remove("--quiet")  # which leaves out what the steel will cost
             done = subprocess.run(line + ["--check"], capture_output=True, text=True)
             self.assertEqual(done.returncode, 2, done.stderr)
             self.assertRegex(done.stderr, words)
+
+    def test_voids_count_from_where_the_gyrations_begin_however_long_a_row_is(self):
+        found = []
+        for interval in ("0.01 s", "0.7 s"):
+            _, summary = self.gyrate(interval.split()[0], RIGID + [
+                "gyration.count=0.2", f"output.history_interval={interval}"])
+            found.append(summary["air_voids_start"])
+        self.assertEqual(found[0], found[1])
 
     def test_bonds_without_energy_are_none(self):
         for energy, some in (("0 J/mm2", False), ("0.01 J/mm2", True)):

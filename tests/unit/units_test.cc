@@ -73,10 +73,20 @@ TEST(units, another_dimension_does_not_convert) {
 TEST(units, an_unknown_unit_is_not_guessed) {
   // UDUNITS-2 would read "5 kPa" as a scaled unit, so that 600 5 kPa passed for 3000 kPa.
   const UnitSystem units;
-  for (const char* unit : {"kpascalz", "Mpa", "5 kPa", "kPa extra", "mm//s"}) {
+  for (const char* unit : {"kpascalz", "Mpa", "5 kPa", "kPa 5", "(5 kPa)", "-5 kPa", ".500 kPa",
+                           "1/5 Pa", "kPa extra", "mm//s"}) {
     EXPECT_FALSE(units.knows(unit)) << unit;
     EXPECT_FALSE(units.convert(1, unit, "Pa")) << unit;
   }
+}
+
+TEST(units, exponents_are_no_second_numbers) {
+  const UnitSystem units;
+  EXPECT_NEAR(*units.convert(1, "N mm-2", "Pa"), 1e6, 1e-6);
+  EXPECT_NEAR(*units.convert(1, "N/mm2", "Pa"), 1e6, 1e-6);
+  EXPECT_NEAR(*units.convert(1, "N mm^-2", "Pa"), 1e6, 1e-6);
+  EXPECT_NEAR(*units.convert(1, "N.mm-2", "Pa"), 1e6, 1e-6);
+  EXPECT_NEAR(*units.convert(3, "1/min", "1/s"), 0.05, 1e-15);
 }
 
 TEST(units, a_quantity_is_a_number_and_a_unit) {
