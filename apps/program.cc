@@ -64,9 +64,6 @@ int exit_status_of(const std::function<int()>& body) {
   } catch (const InputError& error) {
     for (const std::string& line : error.mistakes) std::cerr << line << '\n';
     return bad_input;
-  } catch (const std::invalid_argument& error) {  // of the steel: what only its mesh can tell
-    std::cerr << error.what() << '\n';
-    return bad_input;
   } catch (const dem::NumericalTrouble& trouble) {
     std::cerr << "stopped: stone " << trouble.stone << ", time " << trouble.time
               << " s: " << trouble.what() << " = " << trouble.value << '\n';

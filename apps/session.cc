@@ -38,11 +38,12 @@ Session::Session(const Options& options, const StoredScene& scene, const Provena
   const std::string results = folder_.file("results.h5");
   std::size_t rows = 0;
   if (options.resume) checkpoint_ = checkpoints_.newest(tell);
-  if (checkpoint_) {
-    (*checkpoint_)("rows", rows);
-    (*checkpoint_)("wall_seconds", earlier_.wall);
-    (*checkpoint_)("processor_seconds", earlier_.processor);
-  }
+  if (checkpoint_)
+    take([&](Archive& item) {
+      item("rows", rows);
+      item("wall_seconds", earlier_.wall);
+      item("processor_seconds", earlier_.processor);
+    });
   if (options.resume && (checkpoint_ || has_results(results)))
     recorder_.emplace(results, std::move(columns), rows);
   else
@@ -69,12 +70,16 @@ Spent Session::spent() const {
 
 void Session::restore(const State& state) {
   if (!checkpoint_) return;
+  take(state);
+  checkpoint_.reset();
+}
+
+void Session::take(const State& state) {
   try {
     state(*checkpoint_);
   } catch (const Unfit& reason) {
     throw OutputError(folder_.path() + ": its checkpoint is of another program: " + reason.what());
   }
-  checkpoint_.reset();
 }
 
 void Session::write_checkpoint(const State& state) {

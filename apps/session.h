@@ -40,6 +40,7 @@ class Session {
   Pulse pulse(State state, double interval);
 
  private:
+  void take(const State& state);  // from the checkpoint; throws OutputError where it does not fit
   void write_checkpoint(const State& state);
 
   RunFolder folder_;
@@ -47,7 +48,7 @@ class Session {
   std::optional<Archive> checkpoint_;  // that the run is continued from
   std::optional<Recorder> recorder_;
   int exceptions_ = std::uncaught_exceptions();
-  Spent began_;    // what the clocks showed then
+  Spent began_;    // what the clocks showed
   Spent earlier_;  // in earlier sessions
 };
 

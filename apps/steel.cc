@@ -1,8 +1,13 @@
 #include "apps/steel.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
+
+#include "apps/errors.h"
 
 namespace apps {
 namespace {
@@ -30,7 +35,8 @@ fem::Mould mould_of(const ElasticMouldScene& scene, const Machine& machine) {
 }  // namespace
 
 template <class ElasticScene>
-void SteelPart::couple(const ElasticScene& scene, const NumericsScene& numerics, dem::Wall& wall) {
+void SteelPart::couple(const ElasticScene& scene, const std::string& section,
+                       const NumericsScene& numerics, dem::Wall& wall) try {
   coupling::ExchangeSettings settings;
   settings.interval = numerics.exchange_interval;
   settings.inertia_scale = numerics.head_mass_scale;
@@ -39,13 +45,18 @@ void SteelPart::couple(const ElasticScene& scene, const NumericsScene& numerics,
   coupled_.emplace(count < 1 ? body_.reduce(scene.modes, points) : body_.reduce(count, points),
                    wall, settings);
   if (scene.full) coupled_->follow_fully(body_.face_compliance(points), wall);
+} catch (const std::invalid_argument&) {
+  throw InputError({fmt::format(
+      "{}.modes: expected fewer than the degrees of freedom of the steel's face, found {:g}; take "
+      "fewer",
+      section, scene.modes)});
 }
 
 SteelPart::SteelPart(const ElasticHeadScene& scene, const Machine& machine,
                      const NumericsScene& numerics, dem::Wall& wall)
     : body_(head_of(scene, machine), fem::MeshSize{}), face_radius_(machine.plate_radius) {
   wall.field.emplace(dem::DiscGrid{machine.plate_radius, plate_rings, sectors});
-  couple(scene, numerics, wall);
+  couple(scene, "head.elastic", numerics, wall);
 }
 
 SteelPart::SteelPart(const ElasticMouldScene& scene, const Machine& machine,
@@ -54,7 +65,7 @@ SteelPart::SteelPart(const ElasticMouldScene& scene, const Machine& machine,
   const double cell = 2 * std::numbers::pi * machine.mould_radius / sectors;
   const int rows = std::max(4, static_cast<int>(std::lround(scene.height / cell)));
   wall.field.emplace(dem::CylinderGrid{machine.mould_radius, scene.height, rows, sectors});
-  couple(scene, numerics, wall);
+  couple(scene, "mould.elastic", numerics, wall);
 }
 
 SteelPart::Tilt SteelPart::tilt() const {

@@ -14,7 +14,8 @@ namespace apps {
 // One elastic body behind one wall of the run.
 class SteelPart {
  public:
-  // Gives `wall` its letterbox and reduces the body to the scene's modes.
+  // Gives `wall` its letterbox and reduces the body to the scene's modes. Throws InputError where
+  // the body has not as many.
   SteelPart(const ElasticHeadScene& scene, const Machine& machine, const NumericsScene& numerics,
             dem::Wall& wall);
   SteelPart(const ElasticMouldScene& scene, const Machine& machine, const NumericsScene& numerics,
@@ -44,7 +45,8 @@ class SteelPart {
 
  private:
   template <class ElasticScene>
-  void couple(const ElasticScene& scene, const NumericsScene& numerics, dem::Wall& wall);
+  void couple(const ElasticScene& scene, const std::string& section, const NumericsScene& numerics,
+              dem::Wall& wall);
 
   fem::ElasticBody body_;
   std::optional<coupling::ElasticWall> coupled_;

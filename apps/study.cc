@@ -94,6 +94,7 @@ std::string all_of_scene(const std::string& path, const std::vector<std::string>
   Mistakes told_by_its_program;
   const Document scene = read_document(path, overrides, told_by_its_program);
   std::string text;
+  for (const auto& [name, place] : scene.sections) text += '[' + name + "]\n";
   for (const auto& [key, value] : scene.values) text += key + " = " + value.written + '\n';
   const std::string gradation = "stones.gradation";
   const Value* table = scene.find(gradation);

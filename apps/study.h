@@ -18,8 +18,8 @@ struct Setting {
   std::vector<std::string> overrides;  // key=value, those of the base first
 };
 
-// All that a run of a scene depends on but its program: the keys that are given, one a line, and
-// the sieve table.
+// All that a run of a scene depends on but its program: sections and keys that are given, one a
+// line, and the sieve table.
 std::string all_of_scene(const std::string& path, const std::vector<std::string>& overrides);
 
 // A name as part of a path: letters, digits, dots and hyphens, no commas, else underscores.

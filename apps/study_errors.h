@@ -5,7 +5,8 @@
 //   noise = t sqrt(1 / n + 1 / m) x rms over the points of the deviation / size,
 // with the rms of the reference's mean as size, the pooled standard deviation of both, and t for
 // n + m - 2 degrees of freedom and 95 % (Student, 1908). A difference of two numbers that differ by
-// nothing but chance stays below the noise in 19 of 20 cases: what is inside it is no error.
+// nothing but chance stays below the noise in 19 of 20 cases: what is inside it is no error. Runs
+// of the same seed count as independent: contacts amplify every difference between them.
 #pragma once
 
 #include <string>

@@ -19,8 +19,8 @@ class StudyReport {
   // Of every setting with a finished run: /settings/<word>/seeds, and seconds and steps by
   // seed; of every quantity error, noise, and seed_<n>, its points. Throws OutputError.
   void record(const std::string& path) const;
-  // The setting that takes the least time of those whose errors are all known, and below where they
-  // are beyond the noise.
+  // The setting that takes the least time of those whose errors are known wherever the reference's
+  // noise is, and below where they are beyond it.
   std::string cheapest(double tolerance) const;
 
  private:
@@ -32,11 +32,11 @@ class StudyReport {
     std::vector<std::string> trouble;    // of those that did not
     std::vector<Judgement> judgement;    // by quantity
     double mean_seconds() const;
-    bool known() const;
     double worst() const;  // error beyond noise [-]
   };
 
   const Row& reference() const;
+  bool is_known(const Row& row) const;
   std::string line(const Row& row) const;
   std::string line_of_means(const Row& row) const;
 

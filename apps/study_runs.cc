@@ -52,11 +52,13 @@ struct Traces {
         build(folder + ".build"),
         stopped(folder + ".stopped"),
         log(folder + ".log"),
+        scene(folder + "/scene.toml"),
         summary(folder + "/summary.json") {}
-  std::string asked, build, stopped, log, summary;
+  std::string asked, build, stopped, log;
+  std::string scene, summary;  // of the run: begun, finished
 
   void forget() const {
-    for (const std::string& file : {asked, build, stopped, summary}) fs::remove(file);
+    for (const std::string& file : {asked, build, stopped, scene, summary}) fs::remove(file);
   }
 };
 
@@ -68,9 +70,9 @@ std::string last_line(const std::string& log) {
 class Fleet {
  public:
   explicit Fleet(std::vector<StudyRun>& runs) : runs_(runs) {}
-  // Where something was thrown there are some; the others have ended.
+  // Only where something was thrown are there some left.
   ~Fleet() {
-    tell_to_stop();
+    if (!told_) tell_to_stop();
     for (const auto& [process, run] : afloat_) waitpid(process, nullptr, 0);
   }
 
@@ -86,7 +88,7 @@ class Fleet {
     run.finished = fs::exists(traces.summary);
     if (const auto trouble = read_text(traces.stopped)) run.trouble = trimmed(*trouble);
     if (run.finished || !run.trouble.empty()) return false;
-    const bool begun = fs::exists(traces.asked) && fs::exists(run.folder + "/scene.toml");
+    const bool begun = fs::exists(traces.asked) && fs::exists(traces.scene);
     std::vector<std::string> words = run.command;
     fs::create_directories(fs::path(run.folder).parent_path());
     if (begun) {

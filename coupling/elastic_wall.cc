@@ -10,8 +10,8 @@ namespace {
 // Phase that an oscillator together with the bed may go through in one time step [rad].
 constexpr double largest_phase = 0.1;
 
-// Of the way to its rest that a static mode goes at an exchange: stable below a gain of 4 (tests/
-// physics/coupling_contact.cc).
+// Of the way to its rest that a static mode goes at an exchange: stable below a gain of 4, see
+// left_after in tests/physics/coupling_contact.cc.
 constexpr double static_share = 0.5;
 
 }  // namespace

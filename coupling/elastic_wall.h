@@ -5,8 +5,8 @@
 // above `static_gain`) is an oscillator with scaled modal mass and damping that moves with every
 // time step, stable for any softness; the others follow statically at every exchange with
 // relaxation 1/2. The gain comes from a bound on the bed's stiffness, bed_modulus x face area /
-// face size. Plain static exchange diverges where the gain exceeds 1, which head tilt and mould
-// ovalling do.
+// face size. Such a mode would diverge above a gain of 4, which head tilt and mould ovalling
+// exceed.
 //
 // As the reference of what modes leave out, a wall may follow fully: the rest of its compliance,
 // that of the full body less that of the modes, then answers statically at every exchange. Modes

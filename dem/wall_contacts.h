@@ -65,7 +65,7 @@ class WallContacts {
   // What the slots from `slot` on have found, one after the other.
   template <class T>
   struct Results {
-    alignas(64) Quad force[width<T>];                     // and half of the overlap
+    alignas(64) Quad force[width<T>];                     // and inset
     alignas(64) Quad moment[width<T>], torque[width<T>];  // and crush
     alignas(64) Quad point[width<T>];                     // and push
   };

@@ -26,7 +26,8 @@ os.environ["OMP_WAIT_POLICY"] = "passive"
 INTRODUCTION = """Made by `tests/extremes/steel_table.py build/bin apps/scenes tests/extremes/steel_table.md` (150 stones,
 0.5 gyrations; test `extremes.no_setting_of_the_steel_diverges`, slow). Gain: bound of the bed's
 stiffness over that of the softest mode; one that follows statically diverges above 4
-(`static_exchange.settles_below_its_threshold_and_chatters_above`), so that only those below 0.1 do. Drift: mean force of the mix on the
+(`static_exchange.settles_below_its_threshold_and_chatters_above`); only
+modes below 0.1 do. Drift: mean force of the mix on the
 head over the second half of the gyrations against ram and weight. Rubber is pressed with 1 kPa: under
 600 kPa the linear shaft of 14 mm would shorten by four times its length, and the run stops with status 3.
 

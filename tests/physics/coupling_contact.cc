@@ -78,6 +78,7 @@ double left_after(double gain, int turns) {
 }
 
 TEST(static_exchange, settles_below_its_threshold_and_chatters_above) {
+  // Below 4 an error shrinks by sqrt(r / 4) a turn or faster, above it grows until the two part.
   for (const double gain : {0.1, 1.0, 3.5}) EXPECT_LT(left_after(gain, 400), 1e-4) << gain;
   for (const double gain : {4.5, 10.0}) EXPECT_GT(left_after(gain, 400), 0.01) << gain;
 }

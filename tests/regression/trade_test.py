@@ -65,13 +65,16 @@ class Trade(SmallRuns):
             for quantity in ("pressure_curve", "pressure_peak", "uplift_end", "coordination"):
                 self.assertEqual(same[quantity]["error"][0], 0)
                 self.assertGreater(same[quantity]["noise"][0], 0)
-        # Called again it runs what is new only, and a changed setting.
+        # Called again it runs what is new only, and a changed setting; another build's run it tells.
         before = self.runs()
+        with open(os.path.join(self.out, "runs/fine/seed_1.build"), "w") as file:
+            file.write("another")
         again = self.study(STUDY.replace("safety = 0.2", "safety = 0.15"))
         self.assertEqual(again.returncode, 0, again.stderr)
         changed = [run for run, at in self.runs().items() if before[run] != at]
         self.assertEqual(len(changed), 2)
         self.assertTrue(all("the_same" in run for run in changed))
+        self.assertIn("\n1 of the runs are of another build of the program.\n", again.stdout)
 
     def test_a_stopped_study_goes_on(self):
         process = subprocess.Popen(self.command(STUDY), stderr=subprocess.PIPE, text=True)
@@ -94,10 +97,19 @@ class Trade(SmallRuns):
         self.assertEqual(self.runs(), {})
 
     def test_a_run_in_numerical_trouble_is_told(self):
-        answer = self.study(STUDY.replace(
-            "safety = 0.2", 'largest_overlap = 1e-9\nbinder = "none"\nstones.count = 300'))
-        self.assertEqual(answer.returncode, 0, answer.stderr)
-        self.assertRegex(answer.stdout, r"\| the same \| stopped: stone \d+, time .* overlap")
+        crushed = STUDY.replace(
+            "safety = 0.2", 'largest_overlap = 1e-9\nbinder = "none"\nstones.count = 300')
+        builds = [os.path.join(self.out, f"runs/the_same/seed_{seed}.build") for seed in (1, 2)]
+        for _ in range(2):
+            answer = self.study(crushed)
+            self.assertEqual(answer.returncode, 0, answer.stderr)
+            self.assertRegex(answer.stdout, r"\| the same \| stopped: stone \d+, time .* overlap")
+            # What another build stopped is run anew.
+            for build in builds:
+                with open(build) as file:
+                    self.assertNotEqual(file.read(), "another")
+                with open(build, "w") as file:
+                    file.write("another")
 
     def test_a_run_that_refuses_its_scene_on_the_way_is_told(self):
         # The mould holds the specimen, not the loose bed: seen when the head comes down.

@@ -135,10 +135,12 @@ dem::Simulation<Dry> shelled_stone(double height, double speed, double spin) {
   return bed;
 }
 
-TEST(moving_walls, a_shell_is_pressed_until_its_stone_rolls_on_the_face) {
-  // Closed form: a shell of 0.5 mm pressed to nothing rolls on the radius of its stone, 1 mm, and
-  // what slides pushes the stone round, and not the wall, by that arm.
-  const double arm = 1e-3;
+class Height : public testing::TestWithParam<double> {};
+
+TEST_P(Height, of_a_shelled_stone_over_the_face_is_the_arm_that_it_rolls_on) {
+  // Closed form: the wall's face is where they meet, until the shell of 0.5 mm is pressed to
+  // nothing on a stone of 1 mm; what slides pushes the stone round, and not the wall, by that arm.
+  const double arm = GetParam();
   const dem::Simulation<Dry> rolls = shelled_stone(arm, 0.1, 0.1 / arm);
   const dem::Vec3d rolling = rolls.walls()[0].force;
   EXPECT_LT(rolling.z, -0.1);
@@ -150,6 +152,14 @@ TEST(moving_walls, a_shell_is_pressed_until_its_stone_rolls_on_the_face) {
   EXPECT_NEAR(slides.walls()[0].moment.y, -x * force.z, 1e-12 * force.x * arm);
   // 1e-8: in the step it moves by that share of its radius.
   EXPECT_NEAR(slides.stones().load[0].torque.y, arm * force.x, 1e-8 * arm * force.x);
+}
+
+INSTANTIATE_TEST_SUITE_P(moving_walls, Height, testing::Values(1e-3, 1.2e-3, 1.45e-3));
+
+TEST(moving_walls, a_pressed_stone_meets_the_wall_in_the_middle_of_their_overlap) {
+  // Rule of two bodies that yield alike: 20 um of overlap of the bare stone leave an arm of 990 um.
+  const dem::Simulation<Dry> rolls = shelled_stone(0.98e-3, 0.1, 0.1 / 0.99e-3);
+  EXPECT_NEAR(rolls.walls()[0].force.x, 0, 1e-12 * std::abs(rolls.walls()[0].force.z));
 }
 
 TEST(moving_walls, a_stone_outside_the_mould_stops_the_run_by_name) {

@@ -89,6 +89,11 @@ TEST_F(StudyTest, knows_a_run_by_all_of_its_scene) {
   const std::string before = all_of_scene(scene, {});
   EXPECT_EQ(all_of_scene(scene, {}), before);
   EXPECT_NE(all_of_scene(scene, {"run.seed=2"}), before);
+  EXPECT_NE(all_of_scene(scene, {"mould.elastic={}"}), before);
+  files_.write("whole.toml", "include = \"base.toml\"\n[run]\nseed = 1\n[mould.elastic]\n");
+  EXPECT_NE(all_of_scene(scene, {}), before);
+  files_.write("whole.toml", "include = \"base.toml\"\n[run]\nseed = 1\n");
+  EXPECT_EQ(all_of_scene(scene, {}), before);
   files_.write("sieves.csv", "11.2, 95\n");
   EXPECT_NE(all_of_scene(scene, {}), before);
   files_.write("sieves.csv", "11.2, 100\n");
