@@ -52,6 +52,15 @@ TEST_F(SceneMistakes, refuses_shells_thicker_than_the_smallest_stone) {
   }
 }
 
+TEST_F(SceneMistakes, refuses_a_mix_of_fines_alone) {
+  // All of it passes 8 mm, a sieve below the coarsest.
+  const std::string table =
+      files_.write("fines.csv", "sieve_mm,passing_percent\n2,30\n8,100\n11.2,100\n");
+  EXPECT_THAT(mistakes(least, {"stones.gradation=" + table, "stones.smallest=8 mm"}),
+              ElementsAre(StartsWith("--set stones.smallest: expected")));
+  EXPECT_THAT(mistakes(least, {"stones.gradation=" + table, "stones.smallest=7.9 mm"}), IsEmpty());
+}
+
 TEST_F(SceneMistakes, refuses_a_binder_that_relaxes_more_than_it_has) {
   // G(t) > 0 asks for a sum of alpha of at most 1; Table 1 sums to 1 up to rounding.
   const std::vector<std::string> own = {"binder.temperature=none", "binder.shear_modulus=2 MPa"};
