@@ -26,8 +26,7 @@ class CrossCheck {
     const std::vector<double>& sieve = stones.sieves.sieve;
     if (stones.smallest < sieve.front() || stones.smallest >= sieve.back() ||
         dem::passing_at(stones.sieves, stones.smallest) >= 1)
-      refuse("stones.smallest",
-             "a size from the finest sieve of its table on that some are larger than",
+      refuse("stones.smallest", "a size within its table that not all of the mix passes",
              "choose one within " + stones.gradation);
   }
 
