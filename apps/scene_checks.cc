@@ -62,16 +62,12 @@ class CrossCheck {
     if (mould.elastic) whole_above_one("mould.elastic.modes", mould.elastic->modes);
   }
 
-  void check(const HeadScene& head, const MouldScene& mould) const {
+  void check(const HeadScene& head) const {
     if (!head.elastic) return;
     whole_above_one("head.elastic.modes", head.elastic->modes);
     if (given("head.mass"))
       mistakes_.add(document_.find("head.mass")->key, "either head.mass or [head.elastic]", "both",
                     "remove the mass: an elastic head has that of its steel");
-    if (mould.diameter && sound("head.elastic.shaft_diameter") &&
-        head.elastic->shaft_diameter >= *mould.diameter)
-      refuse("head.elastic.shaft_diameter", "a shaft thinner than the mould",
-             "make it less than mould.diameter");
   }
 
   void check(const GaugeScene& gauge, const std::string& section, const MouldScene& mould) const {
@@ -156,7 +152,7 @@ void check(GyratoryScene& scene, const Document& document, Mistakes& mistakes) {
   cross.check(scene.stones);
   if (scene.binder) cross.check(*scene.binder);
   cross.check(scene.mould, scene.stones);
-  cross.check(scene.head, scene.mould);
+  cross.check(scene.head);
   for (std::size_t i = 0; i < scene.gauges.size(); ++i)
     cross.check(scene.gauges[i], gauge_section(i), scene.mould);
 }

@@ -129,8 +129,7 @@ std::string StudyReport::table() const {
   std::string text = fmt::format(
       "Errors against `{}`, seeds {}. Its own line shows the noise: what two such means over the "
       "seeds differ by at most, in 19 of 20 cases, if only chance tells them apart; below it stand "
-      "its "
-      "means, angles in degrees, all else in SI units. Errors beyond the noise of the two are "
+      "its means, angles in degrees, all else in SI units. Errors beyond the noise of the two are "
       "bold; the others are none.\n\n",
       study_.reference, fmt::join(study_.seeds, ", "));
   if (of_other_builds_ > 0)

@@ -91,8 +91,8 @@ def settings(place, long):
             "binder": "none", "stones.fracture": "none", "stones.restitution": restitution}
     for scale in (1, 1e2, 1e5, 1e6, 1e7):
         brief = {"gyration.ramp": "0.02 s", "gyration.count": 0.02} if scale < 10 else {}
-        yield (f"mass scale {scale:.0e}" + ", 0.02 gyrations" * bool(brief),
-               {"numerics.mass_scale": scale, **brief})
+        label = ", 0.02 gyrations" if brief else ""
+        yield f"mass scale {scale:.0e}{label}", {"numerics.mass_scale": scale, **brief}
     for safety in (0.5, 0.8, 1):
         yield f"time step {safety} sqrt(m/k)", {"numerics.safety": safety}
 

@@ -156,7 +156,6 @@ TEST_F(SceneMistakes, refuses_what_is_not_a_physical_value) {
                              "gyration.pressure=[600e3]",
                              "gyration.pressure=2020-01-01",
                              "gyration.angle=\"1\"",
-                             "head.elastic.shaft_diameter=60 mm",
                              "stones.gradation=missing.csv",
                              "stones.gradation=",
                              "run.seed=-1",
