@@ -81,7 +81,7 @@ dem::Simulation<Law> make_bed(const StonesScene& stones, const Mix& mix, const L
   for (double& r : outer) r += mix.shell;
   const dem::Gas gas = dem::pack_gas(outer, container, fill.packing_density, seed);
   dem::ParticleStore store =
-      dem::make_stones(gas.position, mix.radius, stones.density, mix.shell, numerics.mass_scale);
+      dem::make_stones(gas.position, mix.radius, mix.layers(stones), numerics.mass_scale);
   if (!mix.strength.empty()) dem::make_breakable(store, mix.strength);
 
   const Law law = book.law<Law>({std::nullopt, stones.friction}, fill.bonds);

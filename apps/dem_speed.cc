@@ -60,7 +60,9 @@ Material material_of(const std::string& law, const apps::BedFile& bed) {
   binder.tau = {0.0948, 105.9};
   binder.wall_bonds = true;
   material.binder = binder;
-  material.mix.bitumen_fraction = 0.43;
+  constexpr double bitumen = 0.43;  // of the binder phase, the rest are fines
+  material.mix.bitumen_fraction = bitumen;
+  material.mix.shell_density = bitumen * binder.density + (1 - bitumen) * material.stones.density;
   material.mix.shell = shell;
   for (double& radius : material.mix.radius) radius -= shell;
   const auto& weibull = material.stones.fracture.emplace();
@@ -76,8 +78,7 @@ apps::Bed<Law> bed_of(const apps::BedFile& file, const Material& material,
                       const apps::LawBook& book) {
   const apps::StonesScene& scene = material.stones;
   apps::Bed<Law> bed;
-  bed.stones =
-      dem::make_stones(file.position, material.mix.radius, scene.density, material.mix.shell, 1);
+  bed.stones = dem::make_stones(file.position, material.mix.radius, material.mix.layers(scene), 1);
   if (scene.fracture) dem::make_breakable(bed.stones, material.mix.strength);
   bed.walls.resize(2);
   bed.walls[0].name = "floor";

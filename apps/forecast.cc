@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
 #include <numeric>
 
 namespace apps {
@@ -12,7 +11,7 @@ constexpr double touching_neighbours = 5;  // of a stone, measured
 // Of the step of the smallest stones under load, where no size has inertia to spare and the force
 // chains through large stones count: measured, 0.55 to 0.6 with 450 and 5000 stones in the mould.
 constexpr double left_of_step = 0.6;
-constexpr double falls_to_rest = 1.7;      // times of free fall until a bed is at rest, measured
+constexpr double falls_to_rest = 1.7;  // times of free fall until a bed is at rest, measured
 // Inertial numbers up to which a flow is quasi-static (GDR MiDi 2004), and up to which its forces
 // still are roughly those of rest.
 constexpr double quasi_static = 1e-3, nearly_static = 1e-2;
@@ -20,13 +19,13 @@ constexpr double nearly_unstable = 0.5;  // twelve such contacts around a stone 
 constexpr double enough_widths = 4;  // 150 mm for stones up to 37.5 mm: AASHTO T 312, from memory
 
 // Time step of the smallest stone pressed on one like it by a force [N].
-double step_under(double force, double radius, const BedPlan& plan) {
+double step_under(double force, const Mix& mix, const BedPlan& plan) {
   const StonesScene& stone = plan.stones;
   const double modulus = stone.young / (2 * (1 - stone.poisson * stone.poisson));  // E0
-  const double effective = radius / 2;
+  const double radius = mix.smallest_radius(), effective = radius / 2;
   const double overlap = std::pow(0.75 * force / (modulus * std::sqrt(effective)), 2.0 / 3.0);
   const double stiffness = 2 * modulus * std::sqrt(effective * overlap);
-  const double mass = stone.density * 4.0 / 3.0 * std::numbers::pi * std::pow(radius, 3);
+  const double mass = mix.layers(stone).mass(radius);
   return plan.numerics.safety * std::sqrt(plan.numerics.mass_scale * mass / stiffness);
 }
 
@@ -55,14 +54,17 @@ BedForecast forecast(const BedPlan& plan, const Mix& mix, const Loading& loading
   told.largest = 2 * mix.largest_radius();
   told.contacts = 0.5 * touching_neighbours * count;
   told.load = loading.pressure * mean * mean;
-  told.loaded_step = step_under(told.load, mix.smallest_radius(), plan);
+  told.loaded_step = step_under(told.load, mix, plan);
   if (plan.numerics.selective_mass) told.loaded_step *= left_of_step;
   told.settling_time = falls_to_rest;  // in times of free fall until the gas is packed
   told.loaded_time = loading.duration;
   // da Cruz et al. (2005), with the inertia that the stones have.
+  const dem::Layers layers = mix.layers(plan.stones);
+  double mass = 0;
+  for (const double r : mix.radius) mass += layers.mass(r);
   told.inertial_number =
       loading.shear_rate * mean *
-      std::sqrt(plan.numerics.mass_scale * plan.stones.density / loading.pressure);
+      std::sqrt(plan.numerics.mass_scale * mass / mix.stone_volume / loading.pressure);
   told.widths = loading.width / told.largest;
   return told;
 }

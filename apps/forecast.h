@@ -66,7 +66,7 @@ double measured_step(const BedPlan& plan, const Mix& mix, const LawBook& book,
   std::vector<dem::Vec3d> place = gas.position;
   for (dem::Vec3d& p : place) p *= squeeze;
   dem::ParticleStore store =
-      dem::make_stones(place, mix.radius, plan.stones.density, mix.shell, plan.numerics.mass_scale);
+      dem::make_stones(place, mix.radius, mix.layers(plan.stones), plan.numerics.mass_scale);
   if (!mix.strength.empty())
     dem::make_breakable(store, std::vector<double>(mix.strength.size(), 1e30));
   dem::Settings settings;
@@ -95,8 +95,8 @@ BedForecast forecast_bed(const BedPlan& plan, const Mix& mix, const LawBook& boo
   std::vector<double> outer = mix.radius;
   for (double& r : outer) r += mix.shell;
   const dem::Gas gas = dem::pack_gas(outer, plan.container, plan.fill.packing_density, plan.seed);
-  dem::ParticleStore store = dem::make_stones(gas.position, mix.radius, plan.stones.density,
-                                              mix.shell, plan.numerics.mass_scale);
+  dem::ParticleStore store =
+      dem::make_stones(gas.position, mix.radius, mix.layers(plan.stones), plan.numerics.mass_scale);
   const Law law = book.law<Law>({std::nullopt, plan.stones.friction}, plan.fill.bonds);
   told.settling_time *= std::sqrt(2 * gas.height * dem::mean_inertia_scale(store) / 9.81);
   if (plan.numerics.selective_mass) store.inertia = selected_inertia(law, store);

@@ -15,6 +15,9 @@ double Mix::smallest_radius() const {
 double Mix::largest_radius() const {
   return *std::max_element(radius.begin(), radius.end());
 }
+dem::Layers Mix::layers(const StonesScene& stones) const {
+  return {stones.density, shell, shell_density};
+}
 
 Mix prepare_mix(const StonesScene& stones, const std::optional<BinderScene>& binder, int seed) {
   const dem::SizeDistribution sizes =
@@ -29,6 +32,7 @@ Mix prepare_mix(const StonesScene& stones, const std::optional<BinderScene>& bin
         dem::binder_phase({binder->content, binder->density, stones.density,
                            dem::passing_at(stones.sieves, stones.smallest)});
     mix.shell = dem::shell_thickness(mix.radius, phase.volume_ratio);
+    mix.shell_density = phase.density;
     mix.bitumen_fraction = phase.bitumen_fraction;
     mix.binder_volume = phase.volume_ratio * mix.stone_volume;
   }

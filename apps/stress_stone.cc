@@ -48,7 +48,7 @@ StressReport press_one_stone(const StressCase& given) {
 
   const double volume = 4.0 / 3 * std::numbers::pi * std::pow(radius, 3);
   dem::ParticleStore stones = dem::make_stones({{mould.height / 2, 0, -inner + radius}}, {radius},
-                                               stone.density, 0, stone.mass_scale);
+                                               {stone.density}, stone.mass_scale);
   const dem::Material of_stone = {stone.young, stone.poisson};
   const dem::Material of_wall = {mould.steel.young, mould.steel.poisson};
   const double modulus = 1 / (dem::normal_compliance(of_stone) + dem::normal_compliance(of_wall));

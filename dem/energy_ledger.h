@@ -131,7 +131,7 @@ void EnergyLedger<Law>::look_at_stones(const Simulation<Law>& bed) {
   double moving = 0, turning = 0, scaled = 0, dragged = 0, potential = 0;
   for (std::size_t k = 0; k < stones.size(); ++k) {
     const double inertia = stones.inertia[k];
-    const double moment = 0.4 * inertia * stones.radius[k] * stones.radius[k];
+    const double moment = inertia * stones.turning[k];
     const Vec3d velocity = stones.velocity[k] + stones.load[k].force * (0.5 * dt / inertia);
     const Vec3d spin = stones.spin[k] + stones.load[k].torque * (0.5 * dt / moment);
     const double along = 0.5 * inertia * dot(velocity, velocity);

@@ -62,7 +62,7 @@ Travel advance_stones(ParticleStore& stones, Steps steps, double drag, double gr
 #pragma omp for schedule(static) nowait
     for (std::int64_t i = 0; i < count; ++i) {
       const double inertia = stones.inertia[i];
-      const double moment = 0.4 * inertia * stones.radius[i] * stones.radius[i];
+      const double moment = inertia * stones.turning[i];
       Load& load = stones.load[i];
       const Quad v =
           load_vector(stones.velocity[i]) * kept + load_vector(load.force) * (kick / inertia);

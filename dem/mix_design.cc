@@ -13,7 +13,9 @@ BinderPhase binder_phase(const MixDesign& mix) {
   const double all_stones = (1 - mix.binder_content) / mix.stone_density;
   const double fines = mix.fines * all_stones;
   const double phase = bitumen + fines;
-  return {phase / (all_stones - fines), phase > 0 ? bitumen / phase : 0};
+  const double share = phase > 0 ? bitumen / phase : 0;
+  return {phase / (all_stones - fines), share,
+          share * mix.bitumen_density + (1 - share) * mix.stone_density};
 }
 
 double shell_thickness(std::span<const double> stone_radius, double volume_ratio) {

@@ -17,6 +17,7 @@ struct MixDesign {
 struct BinderPhase {
   double volume_ratio;      // (V_bitumen + V_fines) / V_stone, V_stone of the modelled stones [-]
   double bitumen_fraction;  // V_bitumen / (V_bitumen + V_fines) [-]; 0 in a dry mix without fines
+  double density;           // of the phase: the shells weigh what bitumen and fines weigh [kg/m3]
 };
 
 BinderPhase binder_phase(const MixDesign& mix);

@@ -10,9 +10,8 @@ namespace dem {
 double kinetic_energy(const ParticleStore& stones) {
   double twice = 0;
   for (std::size_t k = 0; k < stones.size(); ++k) {
-    const double turning = 0.4 * stones.radius[k] * stones.radius[k];
     twice += stones.inertia[k] * (dot(stones.velocity[k], stones.velocity[k]) +
-                                  turning * dot(stones.spin[k], stones.spin[k]));
+                                  stones.turning[k] * dot(stones.spin[k], stones.spin[k]));
   }
   return 0.5 * twice;
 }

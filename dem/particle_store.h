@@ -19,14 +19,26 @@ struct LoadOf {
 };
 struct alignas(64) Load : LoadOf<double> {};
 
+// What a stone is made of: of one stuff, with a shell of binder around it unless that has no
+// thickness.
+struct Layers {
+  double density;            // of the stone [kg/m3]
+  double shell = 0;          // thickness of the shell [m]
+  double shell_density = 0;  // [kg/m3]
+
+  double mass(double stone_radius) const;     // with the shell [kg]
+  double turning(double stone_radius) const;  // moment of inertia / mass [m2]
+};
+
 struct ParticleStore {
   double shell = 0;  // thickness of the binder shell, the same for all stones [m]
 
   // Written once, when the stones are made.
   std::vector<std::uint32_t> id;
   std::vector<double> radius;    // of the bare stone [m]
-  std::vector<double> mass;      // mass of the stone without its shell: what weighs [kg]
+  std::vector<double> mass;      // with the shell: what weighs [kg]
   std::vector<double> inertia;   // what resists acceleration: mass, or more where it is scaled [kg]
+  std::vector<double> turning;   // moment of inertia / inertia [m2]
   std::vector<double> strength;  // Weibull strength [Pa]; empty when stones do not break
 
   // Written by the integrator.
@@ -45,9 +57,9 @@ struct ParticleStore {
   double outer_radius(std::size_t i) const { return radius[i] + shell; }
 };
 
-// Stones of density [kg/m3] at rest at the given places, with ids 0, 1, ...
+// Stones at rest at the given places, with ids 0, 1, ...
 ParticleStore make_stones(const std::vector<Vec3d>& position, std::vector<double> radius,
-                          double density, double shell, double inertia_scale);
+                          const Layers& layers, double inertia_scale);
 
 // The same stones stored in another order: place k holds the stone that was at order[k].
 void reorder(ParticleStore& stones, const std::vector<std::uint32_t>& order);

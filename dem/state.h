@@ -15,13 +15,14 @@ namespace dem {
 
 template <class Visit>
 void visit_state(Visit& visit, const std::string& in, ParticleStore& stones) {
-  auto& [shell, id, radius, mass, inertia, strength, position, velocity, spin, load, softness] =
-      stones;
+  auto& [shell, id, radius, mass, inertia, turning, strength, position, velocity, spin, load,
+         softness] = stones;
   visit(in + "shell", shell);
   visit(in + "id", id);
   visit(in + "radius", radius);
   visit(in + "mass", mass);
   visit(in + "inertia", inertia);
+  visit(in + "turning", turning);
   visit(in + "strength", strength);
   visit(in + "position", position);
   visit(in + "velocity", velocity);

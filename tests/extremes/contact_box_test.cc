@@ -127,7 +127,7 @@ Drive drive(const Case& given, const Eigen::Quaterniond& view) {
     const double a = given.angle * given.roll.at(n);
     return turned(view, Vec3d{std::sin(a), 0, std::cos(a)} * (touch - h));
   };
-  ParticleStore stones = make_stones({apart(0), {0, 0, 0}}, r, density, shell, 1);
+  ParticleStore stones = make_stones({apart(0), {0, 0, 0}}, r, {density, shell, density}, 1);
   if constexpr (Law::breaks) make_breakable(stones, {1e300, 1e300});
   NeighborList list;
   const std::vector<double> outer = {r[0] + shell, r[1] + shell};

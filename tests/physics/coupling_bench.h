@@ -55,7 +55,7 @@ inline dem::Wall plate() {
 // `fineness` time steps in the time sqrt(m / k) of the loaded contact.
 inline dem::Simulation<Law> above(dem::Wall wall, const Stone& stone, double fineness = 20) {
   dem::ParticleStore stones = dem::make_stones({{stone.x, 0, stone.radius + stone.height}},
-                                               {stone.radius}, stone.density, 0, stone.mass_scale);
+                                               {stone.radius}, {stone.density}, stone.mass_scale);
   const Law law = {
       {stone.modulus, dem::damping_ratio(stone.restitution)}, 0.8 * stone.modulus, stone.friction};
   dem::Settings settings;

@@ -136,7 +136,7 @@ TEST(letterbox, of_a_cylinder_hands_on_force_and_work_and_bounds_the_moment) {
   wall.field.emplace(dem::CylinderGrid{radius, 0.12, 8, sectors});
   wall.motion = dem::Driven{{0.5, 1, 0}};
   dem::ParticleStore stones =
-      dem::make_stones({{0.05, 0.004, stone.radius + 2e-4}}, {stone.radius}, stone.density, 0, 1);
+      dem::make_stones({{0.05, 0.004, stone.radius + 2e-4}}, {stone.radius}, {stone.density}, 1);
   const bench::Law law = {{stone.modulus, dem::damping_ratio(0.5)}, 0.8 * stone.modulus, 0.3};
   dem::Settings settings;
   settings.gravity = stone.load / stone.mass();

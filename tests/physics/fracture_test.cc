@@ -92,7 +92,7 @@ TEST(fracture, compliances_of_stone_and_wall_add_up) {
 
 // A stone squeezed between a fixed and a driven plate, both smooth.
 Simulation<Law> squeeze(double strength, const Vec3d& spin = {0, 0, 0}) {
-  ParticleStore stones = make_stones({{0, 0, 4e-3}}, {4e-3}, 2650, 0, 1);
+  ParticleStore stones = make_stones({{0, 0, 4e-3}}, {4e-3}, {2650}, 1);
   make_breakable(stones, {strength});
   stones.spin[0] = spin;
   Settings settings;

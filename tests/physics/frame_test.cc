@@ -29,7 +29,7 @@ class LoadedPair {
     Binder<1> binder = {6.65e6, {0.4}, {1e9}, 8.0 / 3, 1e-3, {1e4}};
     pairs_.law = {stone, binder};
     pairs_.law.set_time_step(dt_);
-    stones_ = make_stones({{0, 0, 0}, {0, 0, 3.99e-3}}, {1.5e-3, 2.5e-3}, 2650, 0.5e-3, 1);
+    stones_ = make_stones({{0, 0, 0}, {0, 0, 3.99e-3}}, {1.5e-3, 2.5e-3}, {2650, 0.5e-3, 1950}, 1);
     NeighborList list;
     const std::vector<double> outer = {stones_.outer_radius(0), stones_.outer_radius(1)};
     list.build({stones_.position, outer, stones_.id}, 1e-3);

@@ -84,7 +84,7 @@ Outcome collide(const ImpactCase& impact) {
     position.push_back({0, 0, -spheres[1].radius});
     radius.push_back(spheres[1].radius);
   }
-  ParticleStore stones = make_stones(position, radius, impact.density, 0, 1);
+  ParticleStore stones = make_stones(position, radius, {impact.density}, 1);
   for (std::size_t k = 0; k < spheres.size(); ++k) {
     stones.velocity[k] = spheres[k].velocity;
     stones.spin[k] = spheres[k].spin;

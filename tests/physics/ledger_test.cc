@@ -49,7 +49,7 @@ template <class Law>
 dem::Simulation<Law> meeting(const Law& law) {
   const double gap = 1e-7;
   dem::ParticleStore stones =
-      dem::make_stones({{0, 0, 0}, {0, 0, 2 * radius + gap}}, {radius, radius}, 2650, 0, 1);
+      dem::make_stones({{0, 0, 0}, {0, 0, 2 * radius + gap}}, {radius, radius}, {2650}, 1);
   stones.velocity = {{0, 0, 1}, {0, 0, -1}};
   return {stones, law, settings(1e-8, 0)};
 }
@@ -94,7 +94,7 @@ TEST(ledger, shows_what_weight_and_scaled_inertia_do_in_a_fall) {
   // Free fall with inertia s m: m g z of work, all of it motion, 1 - 1/s of that not of true mass.
   // Leapfrog falls exactly.
   constexpr double scale = 100;
-  dem::Simulation<Dry> fall(dem::make_stones({{0, 0, 1}}, {radius}, 2650, 0, scale), dry(2, 0.5),
+  dem::Simulation<Dry> fall(dem::make_stones({{0, 0, 1}}, {radius}, {2650}, scale), dry(2, 0.5),
                             settings(1e-4, 9.81));
   dem::EnergyLedger<Dry> ledger;
   ledger.look(fall);
@@ -114,7 +114,7 @@ TEST(ledger, shows_the_friction_of_a_stone_that_slides_until_it_rolls) {
   // 2/7 of m v^2 / 2, whatever the friction. The stone rests in its floor at first, whose shear
   // spring swings on in the end with the rest: (mu m g)^2 / 2k, 1e-4 of it.
   const Dry law = dry(1, 0.3);
-  dem::ParticleStore stones = dem::make_stones({{0, 0, radius}}, {radius}, 2650, 0, 1);
+  dem::ParticleStore stones = dem::make_stones({{0, 0, radius}}, {radius}, {2650}, 1);
   const double weight = 9.81 * stones.mass[0], speed = 0.1;
   stones.position[0].z -=
       std::pow(weight / (4.0 / 3 * law.normal.modulus * std::sqrt(radius)), 2.0 / 3);
@@ -141,7 +141,7 @@ TEST(ledger, shows_the_friction_of_a_stone_that_slides_until_it_rolls) {
 // A stone on a floor below a plate that comes down by 1 um in 1000 steps.
 dem::Energies pressed(const dem::Wall& plate) {
   const Dry law = dry(1, 0.3);
-  dem::Simulation<Dry> press(dem::make_stones({{0, 0, radius}}, {radius}, 2650, 0, 1), law,
+  dem::Simulation<Dry> press(dem::make_stones({{0, 0, radius}}, {radius}, {2650}, 1), law,
                              settings(1e-7, 0));
   dem::Wall floor;
   floor.surface = dem::Plane{};
@@ -194,7 +194,7 @@ class Compaction {
     for (int k = 0; k < count; ++k) sizes.push_back(2e-3 + 1.5e-3 * k / count);
     for (const double r : sizes) outer.push_back(r + shell);
     const dem::Gas gas = dem::pack_gas(outer, dem::RoundMould{mould}, 0.3, 3);
-    dem::ParticleStore stones = dem::make_stones(gas.position, sizes, 2650, shell, 1e4);
+    dem::ParticleStore stones = dem::make_stones(gas.position, sizes, {2650, shell, 1950}, 1e4);
     if (Law::breaks) dem::make_breakable(stones, std::vector<double>(count, strength));
     dem::Settings numerics = settings(shell > 0 ? 1e-4 : 3e-5, 9.81);
     numerics.safety = 0.2;

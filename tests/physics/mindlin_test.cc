@@ -143,7 +143,7 @@ constexpr double slow = 1e-3, short_step = 1e-9;  // [m/s], [s]
 
 // A stone that slides over a plane from the start, too heavy for the force to slow it.
 Simulation<Mindlin<>> sliding_stone() {
-  ParticleStore stones = make_stones({{0, 0, r0 - d}}, {r0}, 2650, 0, 1e9);
+  ParticleStore stones = make_stones({{0, 0, r0 - d}}, {r0}, {2650}, 1e9);
   stones.velocity[0] = {slow, 0, 0};
   Settings settings;
   settings.gravity = 0;

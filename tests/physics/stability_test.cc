@@ -59,7 +59,7 @@ double rate_of(const Bed& bed, double mass) {
 // ten times what its contacts store, 8/15 E0 sqrt(R) d^2.5 each.
 bool stable(const Bed& bed, double share) {
   omp_set_num_threads(1);
-  ParticleStore stones = make_stones(bed.position, bed.radius, 2650, 0, 1);
+  ParticleStore stones = make_stones(bed.position, bed.radius, {2650}, 1);
   std::mt19937 engine(1);
   const auto any = [&] { return 1e-6 * (engine() / 4294967295.0 - 0.5); };
   for (std::size_t k = 0; k < stones.size(); ++k) {
@@ -176,7 +176,7 @@ TEST(stability, stones_with_twelve_neighbours_come_to_rest_however_damped) {
       const Law of = law_of(bodies);
       return Damped{{of.normal.modulus, damping_ratio(restitution)}, of.shear_modulus, 0.5};
     };
-    ParticleStore stones = make_stones(bed.position, bed.radius, 2650, 0, 1);
+    ParticleStore stones = make_stones(bed.position, bed.radius, {2650}, 1);
     for (std::size_t k = 0; k < stones.size(); ++k)
       stones.velocity[k] = Vec3d{std::sin(k), std::cos(2.0 * k), std::sin(3.0 * k)} * 1e-2;
     Settings settings;

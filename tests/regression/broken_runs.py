@@ -74,7 +74,13 @@ class BrokenRuns(small_runs.SmallRuns):
 
     def stop_after_a_checkpoint(self, folder, line):
         path = os.path.join(folder, "checkpoint")
-        age = lambda: os.stat(path).st_mtime_ns if os.path.exists(path) else 0
+
+        def age():
+            try:
+                return os.stat(path).st_mtime_ns
+            except FileNotFoundError:  # none yet, or the last one steps aside for the next
+                return 0
+
         before = age()
         process = subprocess.Popen(line, stderr=subprocess.PIPE, text=True)
         while age() == before and process.poll() is None:

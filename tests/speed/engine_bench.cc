@@ -67,7 +67,7 @@ struct Bed {
                          Vec3d{any(engine), any(engine), any(engine)} * 2e-6);
       radius.push_back(spacing / 2 - shell + 3e-6);
     }
-    stones = dem::make_stones(position, radius, 2650, shell, 1);
+    stones = dem::make_stones(position, radius, {2650, shell}, 1);
     stones.softness.assign(stones.size(), 1);
     for (Vec3d& v : stones.velocity) v = Vec3d{any(engine), any(engine), any(engine)} * 1e-3;
     dem::reorder(stones, dem::spatial_order(stones.position, 2 * spacing));

@@ -24,8 +24,8 @@ dem::Simulation<Dry> pile() {
   settings.skin = 0.1e-3;
   const double r = 2e-3;
   dem::Simulation<Dry> bed(
-      dem::make_stones({{0, 0, 0.999 * r}, {0.1 * r, 0, 2.99 * r}, {0.05, 0, 0.1}}, {r, r, r}, 2650,
-                       0, 1),
+      dem::make_stones({{0, 0, 0.999 * r}, {0.1 * r, 0, 2.99 * r}, {0.05, 0, 0.1}}, {r, r, r},
+                       {2650}, 1),
       law(), settings);
   dem::Wall floor;
   floor.surface = dem::Plane{};
@@ -64,7 +64,7 @@ TEST(bed_results, tell_all_forces_on_a_stone) {
 
 TEST(bed_results, list_stones_by_their_ids) {
   dem::ParticleStore stones =
-      dem::make_stones({{1, 0, 0}, {2, 0, 0}, {3, 0, 0}}, {1, 1, 1}, 2650, 0, 1);
+      dem::make_stones({{1, 0, 0}, {2, 0, 0}, {3, 0, 0}}, {1, 1, 1}, {2650}, 1);
   dem::reorder(stones, {2, 0, 1});
   auto table = by_name(apps::table_of_stones(stones, {20, 0, 10}));
   EXPECT_EQ(table["x"], (std::vector<double>{1, 2, 3}));

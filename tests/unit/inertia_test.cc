@@ -11,7 +11,7 @@ using Law = dem::Mindlin<>;
 constexpr Law law = {{3.8e10}, 8e9, 0.7};
 
 dem::ParticleStore stones(double scale) {
-  return dem::make_stones({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {1e-3, 2e-3, 8e-3}, 2650, 0, scale);
+  return dem::make_stones({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {1e-3, 2e-3, 8e-3}, {2650}, scale);
 }
 
 TEST(selective_mass, leaves_every_stone_what_the_common_step_needs) {

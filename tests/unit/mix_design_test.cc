@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dem/gradation.h"
+#include "dem/particle_store.h"
 
 namespace dem {
 namespace {
@@ -70,6 +71,32 @@ TEST(mix_design, the_shells_of_a_gradation_hold_the_binder_phase) {
     stones += std::pow(r, 3);
   }
   EXPECT_NEAR(shells / stones / 0.583, 1, 1e-11);
+}
+
+TEST(mix_design, stones_with_their_shells_weigh_what_the_mix_weighs) {
+  // Conservation: in a kilogram of mix the modelled stones are (1 - content) (1 - fines).
+  const MixDesign mix = {0.066, 1020, 2650, 0.25};
+  const SieveTable sma = {{0.063e-3, 2e-3, 5.6e-3, 8e-3, 11.2e-3, 16e-3},
+                          {0.10, 0.25, 0.40, 0.575, 0.95, 1}};
+  const std::vector<double> radii = radii_of(log_linear(sma, 2e-3));
+  const BinderPhase phase = binder_phase(mix);
+  const Layers coated = {mix.stone_density, shell_thickness(radii, phase.volume_ratio),
+                         phase.density};
+  double with = 0, without = 0;
+  for (const double r : radii) {
+    with += coated.mass(r);
+    without += Layers{mix.stone_density}.mass(r);
+  }
+  EXPECT_NEAR(without / with / ((1 - mix.binder_content) * (1 - mix.fines)), 1, 1e-11);
+}
+
+TEST(mix_design, a_coated_stone_turns_as_a_ball_within_a_shell) {
+  // Closed forms: 2/5 (R + t)^2 of one stuff, 2/3 R^2 of a thin shell with nothing within (to t /
+  // R).
+  const double r = 3e-3, t = 1e-3;
+  EXPECT_NEAR((Layers{2650, t, 2650}.turning(r)) / (0.4 * (r + t) * (r + t)), 1, 1e-12);
+  EXPECT_NEAR((Layers{2650, t, 0}.turning(r)) / (0.4 * r * r), 1, 1e-12);
+  EXPECT_NEAR((Layers{0, 1e-6 * r, 2650}.turning(r)) / (2.0 / 3 * r * r), 1, 1e-5);
 }
 
 TEST(mix_design, sma_has_the_shells_of_an_independent_computation) {

@@ -34,7 +34,7 @@ dem::Simulation<Dry> falling_stones() {
   dem::Settings settings;
   settings.largest_step = 2e-6;
   settings.skin = 0.1e-3;
-  dem::Simulation<Dry> bed(dem::make_stones(gas.position, radius, 2650, 0, 1), law(), settings);
+  dem::Simulation<Dry> bed(dem::make_stones(gas.position, radius, {2650}, 1), law(), settings);
   const auto add = [&](dem::Surface surface, const dem::Frame& frame, dem::Motion motion) {
     dem::Wall wall;
     wall.surface = surface;
@@ -107,7 +107,7 @@ TEST(moving_walls, a_resting_stone_presses_on_the_floor_with_its_weight) {
   dem::Settings settings;
   settings.largest_step = 1e-6;
   settings.skin = 0.1e-3;
-  dem::Simulation<apps::DampedDry> bed(dem::make_stones({{0, 0, 3e-3}}, {3e-3}, 2650, 0, 1), damped,
+  dem::Simulation<apps::DampedDry> bed(dem::make_stones({{0, 0, 3e-3}}, {3e-3}, {2650}, 1), damped,
                                        settings);
   dem::Wall floor;
   floor.surface = dem::Plane{};
@@ -124,7 +124,7 @@ dem::Simulation<Dry> shelled_stone(double height, double speed, double spin) {
   settings.largest_step = 1e-9;
   settings.skin = 0.1e-3;
   settings.gravity = 0;
-  dem::ParticleStore stone = dem::make_stones({{0, 0, height}}, {1e-3}, 2650, 0.5e-3, 1);
+  dem::ParticleStore stone = dem::make_stones({{0, 0, height}}, {1e-3}, {2650, 0.5e-3}, 1);
   stone.velocity[0] = {speed, 0, 0};
   stone.spin[0] = {0, spin, 0};
   dem::Simulation<Dry> bed(std::move(stone), law(), settings);
@@ -168,8 +168,7 @@ TEST(moving_walls, a_stone_outside_the_mould_stops_the_run_by_name) {
   settings.largest_step = 1e-6;
   settings.skin = 0.1e-3;
   dem::Simulation<Dry> bed(
-      dem::make_stones({{0, 0, 5e-3}, {15e-3, 0, 5e-3}}, {2e-3, 2e-3}, 2650, 0, 1), law(),
-      settings);
+      dem::make_stones({{0, 0, 5e-3}, {15e-3, 0, 5e-3}}, {2e-3, 2e-3}, {2650}, 1), law(), settings);
   dem::Wall ring;
   ring.name = "mould";
   ring.surface = dem::CylinderInside{10e-3};
@@ -193,7 +192,7 @@ void expect_a_short_step_at_touch(double gap) {
   settings.skin = 0.3e-3;
   settings.gravity = 0;
   constexpr double radius = 2e-3, speed = 1;
-  dem::Simulation<Dry> bed(dem::make_stones({{0, 0, 0}}, {radius}, 2650, 0, 1), law(), settings);
+  dem::Simulation<Dry> bed(dem::make_stones({{0, 0, 0}}, {radius}, {2650}, 1), law(), settings);
   dem::Wall lid;
   lid.surface = dem::Plane{};
   lid.frame.ex = {1, 0, 0};
@@ -222,7 +221,7 @@ TEST(moving_walls, a_wall_without_a_number_stops_the_run_by_name) {
   dem::Settings settings;
   settings.largest_step = 1e-6;
   settings.skin = 0.1e-3;
-  dem::Simulation<Dry> bed(dem::make_stones({{0, 0, 1e-3}}, {2e-3}, 2650, 0, 1), law(), settings);
+  dem::Simulation<Dry> bed(dem::make_stones({{0, 0, 1e-3}}, {2e-3}, {2650}, 1), law(), settings);
   dem::Wall lid;
   lid.name = "lid";
   lid.surface = dem::Plane{};

@@ -49,7 +49,7 @@ ParticleStore cloud() {
     position.push_back({20e-3 * any(), 20e-3 * any(), 20e-3 * any()});
     radius.push_back(2e-3 + 1e-3 * any());
   }
-  ParticleStore stones = make_stones(position, radius, 2650, shell, 100);
+  ParticleStore stones = make_stones(position, radius, {2650, shell, 1950}, 100);
   for (std::size_t k = 0; k < stones.size(); ++k) {
     stones.velocity[k] = {any(), any(), any()};
     stones.spin[k] = {100 * any(), 100 * any(), 100 * any()};
@@ -142,7 +142,7 @@ TEST(pair_contacts, forces_found_again_add_up_to_the_loads) {
 
 // Two stones on the z axis whose shells overlap by `overlap`.
 ParticleStore pair_at(double overlap) {
-  return make_stones({{0, 0, 0}, {0, 0, 5e-3 - overlap}}, {2e-3, 2e-3}, 2650, shell, 1);
+  return make_stones({{0, 0, 0}, {0, 0, 5e-3 - overlap}}, {2e-3, 2e-3}, {2650, shell}, 1);
 }
 
 TEST(pair_contacts, memories_follow_their_pairs_into_a_new_list) {
@@ -249,8 +249,7 @@ TEST(pair_contacts, rolling_without_slip_meets_no_resistance) {
 TEST(pair_contacts, the_most_limiting_contact_is_that_of_the_lighter_stone) {
   // Closed form: k / min(m_i, m_j) with k = 2 E0 a and scaled inertia, now and at the overlap that
   // is ahead until the next look.
-  ParticleStore stones =
-      make_stones({{0, 0, 0}, {0, 0, 6.0e-3 - 10e-6}}, {2e-3, 4e-3}, 2650, 0, 10);
+  ParticleStore stones = make_stones({{0, 0, 0}, {0, 0, 6.0e-3 - 10e-6}}, {2e-3, 4e-3}, {2650}, 10);
   PairContacts<Mindlin<>> pairs;
   NeighborList list;
   list.build({stones.position, stones.radius, stones.id}, 0.1e-3);

@@ -74,7 +74,7 @@ TEST(trouble, the_first_stone_that_is_nowhere_is_named) {
   // By definition, for position, velocity and spin.
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto stones = [] {
-    return make_stones({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {0.1, 0.1, 0.1}, 2650, 0, 1);
+    return make_stones({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {0.1, 0.1, 0.1}, {2650}, 1);
   };
   EXPECT_NO_THROW(stop_at_first_not_finite(stones(), 0));
   const auto stone_named = [](const ParticleStore& stones) {
