@@ -9,6 +9,7 @@
 #include <iterator>
 #include <limits>
 
+#include "apps/errors.h"
 #include "apps/findings.h"
 #include "apps/pictures.h"
 #include "apps/progress.h"
@@ -40,7 +41,8 @@ class FlowRun {
     double span = 0, impulse = 0;  // [s], of the stones on the strip [N s]
   };
 
-  void lower_strip();
+  void lower_strip();  // throws InputError if it is to go deeper than the mix
+  double height_under_strip() const;
   void mount_strip();
   void record(Recorder& recorder);
   void step();
@@ -137,24 +139,35 @@ void FlowRun<Law>::lower_strip() {
   bed_height_ = dem::mean_of_highest(bed_.stones(), highest_points);
   next_row_ = row_after(started_at_, scene_.output.history_interval, started_at_);
   next_picture_ = started_at_ + scene_.output.picture_interval;
+  if (const double low = height_under_strip(); scene_.flow.displacement >= low)
+    throw InputError({fmt::format(
+        "{}: expected less than the height of the mix under the strip, {:.4g} mm, found {:.4g} mm; "
+        "make it less or take more stones",
+        scene_.where("flow.displacement"), 1e3 * low, 1e3 * scene_.flow.displacement)});
   mount_strip();
 }
 
-// Puts the strip on the highest stone below it; from now on shells bond and
-// inertia may be selected.
+// Of the highest stone there [m].
 template <class Law>
-void FlowRun<Law>::mount_strip() {
-  const FlowScene& flow = scene_.flow;
+double FlowRun<Law>::height_under_strip() const {
   const dem::ParticleStore& stones = bed_.stones();
   double low = 0;
   for (std::size_t k = 0; k < stones.size(); ++k)
-    if (stones.position[k].x < flow.strip_length + stones.outer_radius(k))
+    if (stones.position[k].x < scene_.flow.strip_length + stones.outer_radius(k))
       low = std::max(low, stones.position[k].z + stones.outer_radius(k));
+  return low;
+}
+
+// Puts the strip on the highest stone below it; from now on shells bond and inertia may be
+// selected.
+template <class Law>
+void FlowRun<Law>::mount_strip() {
+  const FlowScene& flow = scene_.flow;
   const dem::Vec3d half = {flow.strip_length / 2, flow.width / 2, flow.height};
   dem::Wall strip;
   strip.name = "strip";
   strip.surface = dem::Block{half};
-  strip.frame.origin = {half.x, half.y, low + half.z};
+  strip.frame.origin = {half.x, half.y, height_under_strip() + half.z};
   strip.motion = dem::Driven{{0, 0, -flow.speed}};
   strip_ = bed_.walls().size();
   wall_law_ = book_.law<Law>({rigid, flow.wall_friction}, true);

@@ -87,7 +87,7 @@ class Simulation {
   void stop_at_wall_not_finite() const;
   void refresh_neighbors();
   void find_forces(double dt, bool check);
-  void inspect(const Extremes& pair, const std::vector<Extremes>& walls);
+  void inspect(const Extremes& pair, const std::vector<WallExtremes>& walls);
   void set_time_step(double dt);  // of the laws, 0 for a jump [s]
 
   Settings settings_;
@@ -142,7 +142,7 @@ template <ContactLaw Law>
 void Simulation<Law>::find_forces(double dt, bool check) {
   const double horizon = check ? check_interval * clock_.step() : 0;
   const Extremes pair = pairs_.evaluate(stones_, dt, horizon);
-  std::vector<Extremes> at_walls;
+  std::vector<WallExtremes> at_walls;
   for (std::size_t w = 0; w < walls_.size(); ++w)
     at_walls.push_back(wall_contacts_[w].evaluate(stones_, walls_[w], dt, horizon));
   if constexpr (Law::breaks) {
@@ -230,8 +230,9 @@ void Simulation<Law>::set_time_step(double dt) {
 }
 
 template <ContactLaw Law>
-void Simulation<Law>::inspect(const Extremes& pair, const std::vector<Extremes>& at_walls) {
+void Simulation<Law>::inspect(const Extremes& pair, const std::vector<WallExtremes>& at_walls) {
   const auto stone_of = [&](std::int32_t place) { return stones_.id[place]; };
+  constexpr double around_a_stone = 12;
   double rate = pair.rate;
   std::string limiting;
   if (pair.rate_slot >= 0 && rate > 0)
@@ -246,10 +247,16 @@ void Simulation<Law>::inspect(const Extremes& pair, const std::vector<Extremes>&
       throw NumericalTrouble("stone overlap with wall " + walls_[w].name + " / radius",
                              stone_of(wall_contacts_[w].stones[at.overlap_slot]), time_,
                              at.overlap);
-    if (at.rate <= rate) continue;
-    rate = at.rate;
-    limiting = "stone " + std::to_string(stone_of(wall_contacts_[w].stones[at.rate_slot])) +
-               " at wall " + walls_[w].name;
+    if (at.rate > rate) {
+      rate = at.rate;
+      limiting = "stone " + std::to_string(stone_of(wall_contacts_[w].stones[at.rate_slot])) +
+                 " at wall " + walls_[w].name;
+    }
+    // A ram bears all of them at once, a stone some twelve, of which the stiffest is asked.
+    const auto* ram = std::get_if<Ram>(&walls_[w].motion);
+    if (!ram || at.stiffness / ram->inertia <= around_a_stone * rate) continue;
+    rate = at.stiffness / ram->inertia / around_a_stone;
+    limiting = "wall " + walls_[w].name + " on its stones";
   }
   if (rate > 0) limiting_ = limiting;
   if (clock_.look(rate)) set_time_step(clock_.step());

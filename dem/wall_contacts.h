@@ -16,6 +16,11 @@
 
 namespace dem {
 
+// What a step check finds at a wall.
+struct WallExtremes : Extremes {
+  double stiffness = 0;  // of all contacts together [N/m]
+};
+
 template <ContactLaw Law>
 class WallContacts {
  public:
@@ -41,7 +46,7 @@ class WallContacts {
   // Adds the contact forces to the stones and renews the wall's force, moment, push and impulses.
   // dt and horizon as of the pairs.
   template <class T = Pack>
-  Extremes evaluate(ParticleStore& particles, Wall& wall, double dt, double horizon = 0);
+  WallExtremes evaluate(ParticleStore& particles, Wall& wall, double dt, double horizon = 0);
 
   // Power of the stones on the bending of an elastic wall's face [W].
   double bending_power(const Wall& wall) const;
@@ -61,7 +66,7 @@ class WallContacts {
  private:
   template <class T>
   void evaluate_at(ParticleStore& particles, const Wall& wall, double dt, double horizon,
-                   std::int64_t slot, Extremes& extremes);
+                   std::int64_t slot, WallExtremes& extremes);
   // What the slots from `slot` on have found, one after the other.
   template <class T>
   struct Results {
@@ -79,6 +84,7 @@ class WallContacts {
   struct Sum {
     Vec3d force, moment;  // on the wall, about its origin [N], [N m]
     double push;          // [N]
+    double stiffness;     // of the contacts [N/m], where asked for
   };
   Sum sum_of(const Wall& wall, std::int64_t begin, std::int64_t end) const;
   void add_impulses(Wall& wall, double dt) const;
@@ -122,20 +128,22 @@ void WallContacts<Law>::find(const ParticleStore& particles, Wall& wall, double 
 
 template <ContactLaw Law>
 template <class T>
-Extremes WallContacts<Law>::evaluate(ParticleStore& particles, Wall& wall, double dt,
-                                     double horizon) {
-  Extremes found;
+WallExtremes WallContacts<Law>::evaluate(ParticleStore& particles, Wall& wall, double dt,
+                                         double horizon) {
+  WallExtremes found;
   std::vector<Sum> sums((slots_ + slots_per_chunk - 1) / slots_per_chunk);
 #pragma omp parallel if (sums.size() > 1)
   {
-    Extremes mine;
+    WallExtremes mine;
 #pragma omp for schedule(static) nowait
     for (std::int64_t chunk = 0; chunk < std::ssize(sums); ++chunk) {
       const std::int64_t begin = chunk * slots_per_chunk;
       const std::int64_t end = std::min(slots_, begin + slots_per_chunk);
+      mine.stiffness = 0;
       for (std::int64_t s = begin; s < end; s += width<T>)
         evaluate_at<T>(particles, wall, dt, horizon, s, mine);
       sums[chunk] = sum_of(wall, begin, end);
+      sums[chunk].stiffness = mine.stiffness;
     }
     if (horizon > 0) {
 #pragma omp critical
@@ -148,6 +156,7 @@ Extremes WallContacts<Law>::evaluate(ParticleStore& particles, Wall& wall, doubl
     wall.force += sum.force;
     wall.moment += sum.moment;
     wall.push += sum.push;
+    found.stiffness += sum.stiffness;
   }
   if (wall.field) add_impulses(wall, dt);
   return found;
@@ -174,7 +183,7 @@ Vec3<T> WallContacts<Law>::bend(const Wall& wall, const Vec3<T>& foot, const Vec
 template <ContactLaw Law>
 template <class T>
 void WallContacts<Law>::evaluate_at(ParticleStore& particles, const Wall& wall, double dt,
-                                    double horizon, std::int64_t slot, Extremes& extremes) {
+                                    double horizon, std::int64_t slot, WallExtremes& extremes) {
   const std::int32_t* i = &stones[slot];
   Touch* touch = &touches_[slot];
 
@@ -242,8 +251,11 @@ void WallContacts<Law>::evaluate_at(ParticleStore& particles, const Wall& wall, 
   if (horizon > 0) {
     const T rate = select(listed, response.stiffness / inertia, zero);
     const T deep = select(alive, (overlap - T(particles.shell)) / stone, zero);
-    for (int k = 0; k < width<T>; ++k)
-      if (lane(listed, k)) extremes.merge({lane(rate, k), slot + k, lane(deep, k), slot + k});
+    for (int k = 0; k < width<T>; ++k) {
+      if (!lane(listed, k)) continue;
+      extremes.merge({lane(rate, k), slot + k, lane(deep, k), slot + k});
+      extremes.stiffness += lane(response.stiffness, k);
+    }
   }
 }
 

@@ -216,6 +216,45 @@ TEST(moving_walls, a_wall_that_is_already_near_is_expected_at_its_speed) {
   expect_a_short_step_at_touch(0.05e-3);
 }
 
+TEST(moving_walls, a_light_ram_on_heavy_stones_does_not_shake) {
+  // Equilibrium: nine stones bear a ram that has a thousandth of the inertia of one of them. A
+  // step for the stones alone would be ten times too long for it. 5 % for the ram, which rings on
+  // undamped.
+  dem::Settings settings;
+  settings.largest_step = 1e-3;
+  settings.skin = 0.1e-3;
+  constexpr double radius = 2e-3, pressed = 1e-6, load = 10;
+  std::vector<dem::Vec3d> place;
+  for (int k = 0; k < 9; ++k)
+    place.push_back({5e-3 * (k % 3 - 1), 5e-3 * (k / 3 - 1), radius - pressed});
+  const std::vector<double> radii(9, radius);
+  dem::Simulation<Dry> bed(dem::make_stones(place, radii, {2650}, 100), law(), settings);
+  bed.set_drag(1000);
+  dem::Wall floor;
+  floor.surface = dem::Plane{};
+  bed.add_wall(floor, law());
+  dem::Wall lid;
+  lid.name = "head";
+  lid.surface = dem::Disc{10e-3};
+  lid.frame.origin = {0, 0, 2 * radius - 2 * pressed};
+  lid.motion = dem::Ram{.inertia = 1e-3 * bed.stones().inertia[0],
+                        .weight = 0,
+                        .force = load,
+                        .ramp_start = 0,
+                        .ramp = 0.05,
+                        .angle = 0,
+                        .speed = 0,
+                        .spin = false};
+  dem::orient(std::get<dem::Ram>(lid.motion), lid.frame, 0);
+  bed.add_wall(lid, law());
+  while (bed.time() < 0.2) bed.step();
+  EXPECT_EQ(bed.limiting_contact(), "wall head on its stones");
+  for (int step = 0; step < 100; ++step) {
+    bed.step();
+    ASSERT_NEAR(bed.walls()[1].force.z, load, 0.05 * load);
+  }
+}
+
 TEST(moving_walls, a_wall_without_a_number_stops_the_run_by_name) {
   // From the promise: numerical trouble names stone, time and value, wherever it begins.
   dem::Settings settings;
