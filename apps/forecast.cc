@@ -58,13 +58,13 @@ BedForecast forecast(const BedPlan& plan, const Mix& mix, const Loading& loading
   if (plan.numerics.selective_mass) told.loaded_step *= left_of_step;
   told.settling_time = falls_to_rest;  // in times of free fall until the gas is packed
   told.loaded_time = loading.duration;
-  // da Cruz et al. (2005), with the inertia that the stones have.
+  // da Cruz et al. (2005), of stones with their shells and the inertia that they have.
   const dem::Layers layers = mix.layers(plan.stones);
   double mass = 0;
   for (const double r : mix.radius) mass += layers.mass(r);
-  told.inertial_number =
-      loading.shear_rate * mean *
-      std::sqrt(plan.numerics.mass_scale * mass / mix.stone_volume / loading.pressure);
+  const double density = mass / (mix.stone_volume + mix.binder_volume);
+  told.inertial_number = loading.shear_rate * (mean + 2 * mix.shell) *
+                         std::sqrt(plan.numerics.mass_scale * density / loading.pressure);
   told.widths = loading.width / told.largest;
   return told;
 }
