@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """Draws how mixes densify: plot_densification.py DIR [--from 5] leaves DIR/densification.png and .svg,
-the density of every run of a study of gyratory compaction in per cent of its greatest (%Gmm = 100 less
-the air voids) over the logarithm of the gyrations, and prints the slope of each setting per decade of
-gyrations from the given one on, with the standard error over its seeds."""
+the density of a run of gyratory compaction, or of every finished run of a study, in per cent of its
+greatest (%Gmm = 100 less the air voids) over the logarithm of the gyrations, and prints the slope per
+decade of gyrations from the given one on, of a study by setting with the standard error over its seeds."""
 import argparse
 import itertools
 import pathlib
@@ -12,6 +12,7 @@ import h5py
 import matplotlib.pyplot as plt
 import numpy
 
+from plots import slope
 from plots.style import GREY, OF_CURVES, STYLE
 
 FIRST = 0.5  # gyrations: before, the head still settles
@@ -26,27 +27,27 @@ class Run:
             self.density = 100 * (1 - file["history/air_voids"][:][counted])
 
     def slope(self, first):
-        """By least squares [% per decade]; not a number where the run ends before."""
-        later = self.gyration >= first
-        if later.sum() < 2:
-            return numpy.nan
-        return numpy.polyfit(numpy.log10(self.gyration[later]), self.density[later], 1)[0]
+        return slope.per_decade(self.gyration, self.density, first)
 
 
 def settings_of(folder):
+    if (folder / "results.h5").exists():
+        return {folder.resolve().name: [Run(folder / "results.h5")]}
     found = {}
     for path in sorted(folder.glob("runs/*/seed_*/results.h5")):
         if not (path.parent / "summary.json").exists():
-            continue  # not at its end
+            print(f"{path.parent}: left out, not at its end", file=sys.stderr)
+            continue
         found.setdefault(path.parent.parent.name.replace("_", " "), []).append(Run(path))
     return found
 
 
 def draw(settings, first):
     figure, axes = plt.subplots(figsize=(8, 5))
-    for color, (name, runs) in zip(itertools.cycle(OF_CURVES), settings.items()):
+    looks = itertools.product(("-", "--", ":", "-."), OF_CURVES)
+    for (dashes, color), (name, runs) in zip(itertools.cycle(looks), settings.items()):
         for k, run in enumerate(runs):
-            axes.plot(run.gyration, run.density, color=color, linewidth=1.2,
+            axes.plot(run.gyration, run.density, color=color, linestyle=dashes, linewidth=1.2,
                       label=name if k == 0 else None)
     axes.axvline(first, color=GREY, linewidth=0.6, linestyle=":")
     axes.set(xscale="log", xlabel="gyrations", ylabel="density [% of Gmm]")
@@ -59,12 +60,12 @@ def draw(settings, first):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("folder", type=pathlib.Path, help="of trade --out")
+    parser.add_argument("folder", type=pathlib.Path, help="of a run, or of trade --out")
     parser.add_argument("--from", dest="first", type=float, default=5, help="gyrations")
     options = parser.parse_args()
     settings = settings_of(options.folder)
     if not settings:
-        sys.exit(f"{options.folder}: expected finished runs/SETTING/seed_N of trade, found none")
+        sys.exit(f"{options.folder}: expected results.h5 of a run, or finished runs/SETTING/seed_N of trade")
     with plt.rc_context(STYLE):
         figure = draw(settings, options.first)
         for ending in ("png", "svg"):

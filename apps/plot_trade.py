@@ -1,8 +1,7 @@
 #!/usr/bin/python3
 """Draws a study: plot_trade.py DIR leaves DIR/trade.png and .svg. On the left the worst error of
-each setting against its time: full where it is beyond the noise of the seeds, hollow at the middle
-of the noises where none is, and the front of those that nothing beats in both. On the right the
-errors by quantity."""
+each setting against its time, where it is beyond the noise of the seeds, hollow below all others where
+none is, and the front of those that nothing beats in both. On the right the errors by quantity."""
 import argparse
 import pathlib
 
@@ -23,8 +22,7 @@ class Setting:
         self.error = {q.replace("_", " "): g["error"][0] for q, g in known.items()}
         self.noise = {q.replace("_", " "): g["noise"][0] for q, g in known.items()}
         beyond = [e for q, e in self.error.items() if e > self.noise[q]]
-        self.beyond = bool(beyond)
-        self.worst = max(beyond) if beyond else numpy.median(list(self.noise.values()))
+        self.worst = max(beyond, default=0)  # 0: none that the seeds show
 
 
 def front(settings):
@@ -37,10 +35,17 @@ def front(settings):
     return kept
 
 
+def heights(settings):
+    """Where each stands [%], those that show no error at a third of the least that is shown."""
+    least = min((s.worst for s in settings if s.worst), default=0.03)
+    return {s.name: 100 * (s.worst or least / 3) for s in settings}
+
+
 def name_points(axes, settings):
     """Names beside the points, higher up on a thread where another name is in the way."""
     renderer = axes.figure.canvas.get_renderer()
-    points = axes.transData.transform([(s.seconds, 100 * s.worst) for s in settings])
+    height = heights(settings)
+    points = axes.transData.transform([(s.seconds, height[s.name]) for s in settings])
     taken = [Bbox([point - 4, point + 4]) for point in points]
 
     def box_of(name):
@@ -48,7 +53,7 @@ def name_points(axes, settings):
         return Text.get_window_extent(name, renderer)
 
     for s in sorted(settings, key=lambda s: (s.worst, s.seconds)):
-        name = axes.annotate(s.name, (s.seconds, 100 * s.worst), xytext=(6, 3),
+        name = axes.annotate(s.name, (s.seconds, height[s.name]), xytext=(6, 3),
                              textcoords="offset points", fontsize=8, color=INK,
                              arrowprops={"arrowstyle": "-", "color": GREY, "linewidth": 0.5})
         while any(box_of(name).overlaps(other) for other in taken):
@@ -57,12 +62,17 @@ def name_points(axes, settings):
 
 
 def draw_front(axes, settings):
+    height = heights(settings)
     for s in settings:
-        axes.plot(s.seconds, 100 * s.worst, "o", color=RED if s.beyond else BLUE,
-                  fillstyle="full" if s.beyond else "none")
+        axes.plot(s.seconds, height[s.name], "o", color=RED if s.worst else BLUE,
+                  fillstyle="full" if s.worst else "none")
     line = front(settings)
-    axes.step([s.seconds for s in line], [100 * s.worst for s in line], where="post", color=GREY,
+    axes.step([s.seconds for s in line], [height[s.name] for s in line], where="post", color=GREY,
               linewidth=1, zorder=0)
+    if any(not s.worst for s in settings):
+        axes.axhline(1.7 * min(height.values()), color=GREY, linewidth=0.6, linestyle=":")
+        axes.text(0.01, 1.7 * min(height.values()), "below: none beyond the noise", fontsize=8,
+                  color=GREY, va="bottom", transform=axes.get_yaxis_transform())
     axes.set(xscale="log", yscale="log", xlabel="processor time [s]",
              ylabel="worst error beyond noise [%]", title="What time buys")
     axes.margins(x=0.25)

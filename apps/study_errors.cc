@@ -20,22 +20,20 @@ double at(const std::vector<double>& abscissa, const std::vector<double>& values
   return values[k - 1] + part * (values[k] - values[k - 1]);
 }
 
-// By least squares; none of fewer than two points.
+// By least squares over points as far apart in decades, after the first half unit.
 std::vector<double> slope_per_decade(const std::vector<double>& abscissa,
                                      const std::vector<double>& values) {
-  constexpr double from = 0.5;
-  double n = 0, x = 0, y = 0, xx = 0, xy = 0;
-  for (std::size_t k = 0; k < abscissa.size(); ++k) {
-    if (abscissa[k] <= from) continue;
-    const double decades = std::log10(abscissa[k]);
-    n += 1;
-    x += decades;
-    y += values[k];
-    xx += decades * decades;
-    xy += decades * values[k];
+  constexpr double settling = 0.5;
+  const auto from = std::ranges::upper_bound(abscissa, settling);
+  if (from == abscissa.end() || *from == abscissa.back()) return {};
+  const double decades = std::log10(abscissa.back() / *from);
+  double xx = 0, xy = 0;
+  for (int k = 0; k < curve_points; ++k) {
+    const double x = decades * (k / (curve_points - 1.0) - 0.5);  // about the middle
+    xx += x * x;
+    xy += x * at(abscissa, values, *from * std::pow(10, x + 0.5 * decades));
   }
-  if (n < 2) return {};
-  return {(n * xy - x * y) / (n * xx - x * x)};
+  return {xy / xx};
 }
 
 std::vector<double> points_of(const Quantity& quantity, const std::vector<double>& abscissa,
@@ -93,7 +91,7 @@ std::vector<double> squares_about(const std::vector<double>& mean,
 
 Interest interest_of(const std::string& program) {
   using enum Quantity::Take;
-  constexpr double percent = 0.01, millimetre = 1e-3, kilopascal = 1e3;
+  constexpr double percent = 0.01, per_mille = 1e-3, millimetre = 1e-3, kilopascal = 1e3;
   if (program == "flow_test")
     return {"displacement",
             {{"pressure, curve", "pressure", curve, kilopascal},
@@ -103,8 +101,8 @@ Interest interest_of(const std::string& program) {
              {"fractured stones", "fractured", last, 1},
              {"coordination", "coordination", last, 1}}};
   return {"gyration",
-          {{"air-void decrease, curve", "air_voids_decrease", curve, percent},
-           {"air-void decrease per decade", "air_voids_decrease", per_decade, percent},
+          {{"air-void decrease, curve", "air_voids_decrease", curve, per_mille},
+           {"air-void decrease per decade", "air_voids_decrease", per_decade, per_mille},
            {"air voids, end", "air_voids", last, percent},
            {"height, end", "height", last, millimetre},
            {"internal angle", "internal_angle", mean, percent},

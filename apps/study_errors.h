@@ -17,7 +17,8 @@ namespace apps {
 struct Quantity {
   std::string name;    // "mould traction, peak"
   std::string column;  // of the history
-  // per_decade: slope over the logarithm of the abscissa beyond its first half unit.
+  // per_decade: slope over the logarithm of the abscissa beyond its first half unit, every part of a
+  // decade counting alike.
   enum Take { last, mean, largest, smallest, curve, per_decade } take;
   double least_size;  // below it differences are told in its parts [unit of the column]
 };

@@ -184,12 +184,12 @@ std::string StudyReport::cheapest(double tolerance) const {
   }
   if (!best)
     return fmt::format(
-        "no setting is known to be within {}{}", percent(tolerance),
+        "no setting is known to show no error above {}{}", percent(tolerance),
         reference().seconds.size() < 2 ? "; two seeds of the reference must finish" : "");
-  std::string text =
-      fmt::format("cheapest within {}: {} ({:.3g} s, {:.2g} times faster than {})",
-                  percent(tolerance), best->setting->name, best->mean_seconds(),
-                  reference().mean_seconds() / best->mean_seconds(), study_.reference);
+  std::string text = fmt::format(
+      "cheapest that shows no error above {}: {} ({:.3g} s, {:.2g} times faster than {})",
+      percent(tolerance), best->setting->name, best->mean_seconds(),
+      reference().mean_seconds() / best->mean_seconds(), study_.reference);
   for (std::size_t q = 0; q < interest_.quantities.size(); ++q)
     if (best->judgement[q].known && best->judgement[q].noise > tolerance)
       text += fmt::format("\n  {}: the noise, {}, hides more than that; take more seeds",

@@ -89,8 +89,9 @@ int main(int argc, char** argv) {
       ->take_all()
       ->allow_extra_args(false);
   app.add_option("--processes", options.processes, "runs at once")->check(CLI::Range(1, 1024));
-  app.add_option("--tolerance", options.tolerance,
-                 "as 1%: name the cheapest setting whose errors are all below");
+  app.add_option(
+      "--tolerance", options.tolerance,
+      "as 1%: name the cheapest setting that shows no error above, and what the noise hides");
   app.add_flag("--check", options.check, "read and check the study, run nothing");
   app.add_flag("--quiet", options.quiet, "print no progress");
   try {

@@ -2,6 +2,7 @@
 scatter over the seeds, and how they compare."""
 import numpy as np
 
+from plots import slope
 from plots.run import Run
 
 MIXES = {"SMA 11": ("6.6", "7.8"), "AC 11": ("5.4", "6.6")}
@@ -86,9 +87,7 @@ def roughness(run):
 
 def per_decade(run):
     """Slope of the density over the logarithm of the gyrations after the first half, in %Gmm."""
-    later = run.columns["gyration"] > 0.5
-    return np.polyfit(np.log10(run.columns["gyration"][later]),
-                      -100 * run.columns["air_voids"][later], 1)[0]
+    return slope.per_decade(run.columns["gyration"], -100 * run.columns["air_voids"], first=0.5)
 
 
 def depth(flow):

@@ -57,7 +57,7 @@ class Trade(SmallRuns):
     def test_a_setting_differs_in_nothing_from_itself(self):
         answer = self.study(STUDY, "--tolerance", "1%")
         self.assertEqual(answer.returncode, 0, answer.stderr)
-        self.assertIn("cheapest within 1.0 %", answer.stdout)
+        self.assertIn("cheapest that shows no error above 1.0 %", answer.stdout)
         with h5py.File(os.path.join(self.out, "study.h5")) as file:
             same = file["settings/the_same"]
             self.assertEqual(len(same["seconds"]), 2)

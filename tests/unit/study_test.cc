@@ -159,18 +159,33 @@ TEST(study_errors, are_unknown_without_scatter_or_result) {
 class StudyResults : public tests::RecorderTest {};
 
 TEST_F(StudyResults, have_the_slope_over_a_logarithm_beyond_the_first_half_unit) {
-  // By construction: 3 per decade beyond 0.5, something else before.
+  // By construction: 3 per decade beyond 0.5, something else before; 1e-4 for the straight lines
+  // between rows.
   const Interest interest = {"gyration", {{"slope", "density", Quantity::per_decade, 1}}};
   Recorder recorder(file(), tests::provenance(), {{"gyration", "1"}, {"density", "1"}});
-  for (int k = 0; k < 40; ++k) {
-    const double gyration = 0.1 * k;
+  for (int k = 0; k < 400; ++k) {
+    const double gyration = 0.01 * k;
     recorder.append({{gyration, gyration > 0.5 ? 7 + 3 * std::log10(gyration) : -100}});
   }
   recorder.flush();
   const Found found = read_found(file(), interest);
   ASSERT_EQ(found.size(), 1u);
   ASSERT_EQ(found[0].size(), 1u);
-  EXPECT_NEAR(found[0][0], 3, 1e-9);
+  EXPECT_NEAR(found[0][0], 3, 1e-4);
+}
+
+TEST_F(StudyResults, weigh_every_part_of_a_decade_alike) {
+  // By construction: a curve through (1, 0), (10, 1), (100, 4), straight between them over the
+  // logarithm, has by least squares over its decades the slope 2; by rows, of which nine tenths lie
+  // in its second decade, one near 3.
+  const Interest interest = {"gyration", {{"slope", "density", Quantity::per_decade, 1}}};
+  Recorder recorder(file(), tests::provenance(), {{"gyration", "1"}, {"density", "1"}});
+  for (int k = 100; k <= 10000; ++k) {
+    const double decades = std::log10(0.01 * k);
+    recorder.append({{0.01 * k, decades < 1 ? decades : 3 * decades - 2}});
+  }
+  recorder.flush();
+  EXPECT_NEAR(read_found(file(), interest)[0][0], 2, 1e-3);
 }
 
 }  // namespace
