@@ -21,9 +21,12 @@ std::size_t Rows::place(const std::string& column) const {
 }
 
 double Rows::mean(const std::string& column) const {
+  if (values.size() == 1) return last(column);
+  const std::size_t time = place("time"), of = place(column);
   double sum = 0;
-  for (const auto& row : values) sum += row[place(column)] / static_cast<double>(values.size());
-  return sum;
+  for (std::size_t k = 1; k < values.size(); ++k)
+    sum += values[k][of] * (values[k][time] - values[k - 1][time]);
+  return sum / (values.back()[time] - values.front()[time]);
 }
 
 double Rows::last(const std::string& column) const {

@@ -83,7 +83,9 @@ void GyratoryHistory::record(Recorder& recorder, const Moment& moment, double gy
     voids_at_start_ = moment.air_voids;
     for (auto& held : held_rows_) put(std::move(held));
   }
-  if (moment.gyration >= gyrations - 2) last_rows_.push_back(row);
+  constexpr double rounding = 1e-3;  // of a row's end to a whole step, in gyrations
+  if (moment.gyration <= std::max(0.0, gyrations - 2) + rounding) last_rows_.clear();
+  last_rows_.push_back(row);
   put(std::move(row));
 }
 

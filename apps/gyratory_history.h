@@ -37,8 +37,9 @@ class GyratoryHistory {
   // A whole row but for its last column. Those before the first gyration are held until then.
   void record(Recorder& recorder, const Moment& moment, double gyrations, std::vector<double> row);
 
-  // Of the last two gyrations.
+  // Of the last two gyrations, after the row that ends where they begin.
   const std::vector<std::vector<double>>& last_rows() const { return last_rows_; }
+  bool began() const { return voids_at_start_.has_value(); }         // have the gyrations
   double voids_at_start() const { return voids_at_start_.value(); }  // of the gyrations [-]
 
   void visit_state(Archive& item);  // see dem/state.h

@@ -185,7 +185,7 @@ void GyratoryRun<Law>::compact(Recorder& recorder, GyratoryPictures& pictures, P
     // A row ends where the gyrations begin, however long rows are: changes are counted from there.
     constexpr double apart = 1e-9;  // [s]
     const double begin = compactor_.turns_from();
-    const bool begins = bed_.time() < begin && begin < next_row_ - apart;
+    const bool begins = !history_.began() && begin < next_row_ - apart;
     while (bed_.time() < std::min(begins ? begin : next_row_, end)) {
       step();
       pulse();

@@ -7,13 +7,15 @@
 #include <string>
 
 #include "apps/errors.h"
+#include "apps/sections.h"
 
 namespace apps {
 namespace {
 
 constexpr double reference_voids = 0.04;    // of the specimen that sizes a mould [-]
 constexpr double clearance_share = 1.5e-3;  // plate clearance / mould diameter (EN 12697-31) [-]
-constexpr double highest = 3;               // specimen height / diameter that still is a compaction
+constexpr double longest_gauge =
+    0.125;  // / circumference: beyond it, it reads no strain at a place
 constexpr double least_stones_across = 2.5;  // mould diameter / largest stone
 
 }  // namespace
@@ -25,8 +27,8 @@ Machine size_machine(const GyratoryScene& scene, const Mix& mix) {
       std::cbrt(4 * volume / (pi * scene.mould.aspect_ratio.value_or(1))));
   const double height = volume / (pi / 4 * diameter * diameter);
   std::vector<std::string> mistakes;
-  if (height > highest * diameter) {
-    const double most = highest * diameter / height * scene.stones.count;
+  if (scene.mould.diameter && height > highest_specimen * diameter) {
+    const double most = highest_specimen * diameter / height * scene.stones.count;
     mistakes.push_back(fmt::format(
         "{}: expected at most {:.0f} stones for a mould of {:.4g} mm, found {}; change the "
         "count, or give mould.aspect_ratio instead of mould.diameter to scale the mould "
@@ -46,6 +48,15 @@ Machine size_machine(const GyratoryScene& scene, const Mix& mix) {
         "take a thinner shaft or a wider mould",
         scene.where("head.elastic.shaft_diameter"), 1e3 * plate, scene.stones.count,
         1e3 * steel->shaft_diameter));
+  const double outside =
+      diameter + 2 * (scene.mould.elastic ? scene.mould.elastic->wall_thickness : 0);
+  for (std::size_t i = 0; i < scene.gauges.size(); ++i)
+    if (scene.gauges[i].length > longest_gauge * pi * outside)
+      mistakes.push_back(fmt::format(
+          "{}: expected a gauge of at most {:.4g} mm, an eighth of the circumference, found {:.4g} "
+          "mm; take a shorter one",
+          scene.where(gauge_section(i) + ".length"), 1e3 * longest_gauge * pi * outside,
+          1e3 * scene.gauges[i].length));
   const double largest = 2 * mix.largest_radius();
   if (diameter < least_stones_across * largest)
     mistakes.push_back(scene.where(scene.mould.diameter ? "mould.diameter" : "stones.count") +

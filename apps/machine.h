@@ -6,6 +6,9 @@
 
 namespace apps {
 
+// Height / diameter of a specimen that still is a compaction [-].
+inline constexpr double highest_specimen = 3;
+
 struct Machine {
   double mould_radius;  // inside [m]
   double plate_radius;  // [m], less than the mould's by the usual clearance

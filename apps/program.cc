@@ -80,6 +80,9 @@ int exit_status_of(const std::function<int()>& body) {
   } catch (const Stopped& stop) {
     std::cerr << stop.what() << '\n';
     return stopped + stop.signal;
+  } catch (const std::exception& error) {  // of the libraries: out of memory, a singular matrix
+    std::cerr << "stopped: " << error.what() << '\n';
+    return numerical_trouble;
   }
 }
 

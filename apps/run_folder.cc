@@ -4,6 +4,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -20,7 +21,9 @@ namespace fs = std::filesystem;
 
 bool holds_run(const fs::path& folder) {
   std::error_code error;
-  return fs::exists(folder / "results.h5", error) || fs::exists(folder / stored_scene_file, error);
+  return std::ranges::any_of(
+      std::array{"results.h5", stored_scene_file, "summary.json", "checkpoint"},
+      [&](const char* name) { return fs::exists(folder / name, error); });
 }
 
 // Only what a run writes; what else lies in the folder is somebody's.
@@ -47,7 +50,7 @@ RunFolder::RunFolder(const std::string& path, const StoredScene& scene, bool ove
   if (holds_run(path_)) {
     if (!overwrite)
       throw OutputError(path_ +
-                        ": expected a folder without a run, found one (results.h5); go on with "
+                        ": expected a folder without a run, found one; go on with "
                         "--resume " +
                         path_ + ", replace it with --overwrite, or choose another --out");
     remove_run(path_);

@@ -82,6 +82,16 @@ class CrossCheck {
       refuse(section + ".height", "a height below that of the mould", "lower it");
   }
 
+  // Maps are averaged from row to row.
+  void check_rows_of_maps(const GyratoryScene& scene) const {
+    if (!scene.maps || !sound("output.history_interval") || !sound("gyration.speed")) return;
+    const double rows = 1 / (scene.gyration.speed * scene.output.history_interval);
+    constexpr double rounding = 1e-6;
+    if (std::round(rows) < 1 || std::abs(rows - std::round(rows)) > rounding * rows)
+      refuse("output.history_interval", "a whole number of rows in a gyration, for output.maps",
+             "make it a whole part of a gyration's time, 1 / gyration.speed");
+  }
+
   void check(const FlowScene& flow, const StonesScene& stones) const {
     if (sound("flow.strip_length") && sound("flow.length") && flow.strip_length >= flow.length)
       refuse("flow.strip_length", "a strip shorter than the box",
@@ -155,6 +165,7 @@ void check(GyratoryScene& scene, const Document& document, Mistakes& mistakes) {
   cross.check(scene.head);
   for (std::size_t i = 0; i < scene.gauges.size(); ++i)
     cross.check(scene.gauges[i], gauge_section(i), scene.mould);
+  cross.check_rows_of_maps(scene);
 }
 
 void check(FlowTestScene& scene, const Document& document, Mistakes& mistakes) {

@@ -1,4 +1,5 @@
 // The declarations of what compacts: mould, head, gyration, flow test.
+#include "apps/machine.h"
 #include "apps/sections.h"
 
 namespace apps {
@@ -41,7 +42,7 @@ Section describe(MouldScene& mould) {
           "A cylinder. Give either its diameter, or the aspect ratio of the specimen.",
           {{&mould.diameter, "diameter", millimetre, positive, "inside", standard,
             alternative("\"150 mm\"")},
-           {&mould.aspect_ratio, "aspect_ratio", pure, positive,
+           {&mould.aspect_ratio, "aspect_ratio", pure, above_zero_to(highest_specimen),
             "height of the specimen at 4 % air voids / diameter: the mould is scaled to the stones",
             authors_code, optional("1")},
            {&mould.wall_friction, "wall_friction", pure, friction_range,

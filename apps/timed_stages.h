@@ -90,16 +90,18 @@ class Stages {
     return (lists + pairs_.bytes()) / static_cast<double>(pairs_.slots());
   }
 
-  // Of a stone, everything included [B].
+  // Of a stone, lists, history and what it leaves at walls included [B].
   double bytes_per_stone() const {
     const dem::ParticleStore& stones = bed_.stones;
-    const double numbers = stones.radius.size() + 2.0 * stones.mass.size() +
-                           stones.strength.size() + stones.softness.size();
-    const double vectors = 3.0 * stones.size();
-    const double rows = 3.0 * stones.size() * sizeof(std::uint32_t);  // id and two row starts
+    const double numbers =  // radius, and that of the stock; mass, inertia, turning
+        5.0 * stones.size() + stones.strength.size() + stones.softness.size();
+    const double vectors = 4.0 * stones.size();  // position, and that of the stock; velocity, spin
+    const double rows = 4.0 * stones.size() * sizeof(std::uint32_t);  // two ids, two row starts
+    double at_walls = 0;
+    for (const auto& wall : at_walls_) at_walls += wall.bytes();
     return (numbers * sizeof(double) + vectors * sizeof(dem::Vec3d) + rows +
             stones.size() * sizeof(dem::Leash) + stones.size() * sizeof(dem::Load) +
-            bytes_per_slot() * static_cast<double>(pairs_.slots())) /
+            bytes_per_slot() * static_cast<double>(pairs_.slots()) + at_walls) /
            static_cast<double>(stones.size());
   }
 

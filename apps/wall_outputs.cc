@@ -163,11 +163,13 @@ void WallOutputs::turn(double gyration, const dem::Wall& mould_wall,
                        const std::optional<SteelPart>& steel_mould, Recorder& recorder) {
   constexpr double rounding = 1e-6;  // of a time that is a sum of steps
   if (!maps_) return;
-  if (gyration > 0 && gyration < turns_ + 1 - rounding) return;
-  if (gyration > 0) {  // the ramp belongs to no gyration
+  if (turns_ >= 0) {
+    if (gyration < turns_ + 1 - rounding) return;
     turns_ = std::floor(gyration + rounding);
     add_map(*mould_wall.field, steel_mould);
     write(recorder);
+  } else if (gyration >= 0) {  // ramp and dwell, until now, belong to no gyration
+    turns_ = 0;
   }
   gyration_impulse_.setZero();
   gyration_span_ = 0;

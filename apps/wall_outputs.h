@@ -36,8 +36,9 @@ class WallOutputs {
   // `power(part)`: of the stones on a bent face [W], asked for now and then.
   template <class Power>
   void look(std::vector<dem::Wall>& walls, double dt, double specimen_height, Power power) {
+    const bool row_begins = sums_.span == 0;
     add_up(walls, dt, specimen_height);
-    if (looks_++ % residual_interval != 0) return;
+    if (looks_++ % residual_interval != 0 && !row_begins) return;
     for (const int part : {mould, head})
       if (elastic_[part]) compare_sides(walls[part], part, dt, power(part));
   }
@@ -96,7 +97,7 @@ class WallOutputs {
   std::array<Residual, parts> residual_;
   Eigen::VectorXd row_impulse_, gyration_impulse_;  // on the mould's letterbox [N s]
   double gyration_span_ = 0;                        // [s]
-  double turns_ = 0;                                // gyrations that are done
+  double turns_ = -1;                               // gyrations that are done, -1 before them
   Map map_;
   std::int64_t looks_ = 0;
 };

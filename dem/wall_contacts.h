@@ -52,6 +52,10 @@ class WallContacts {
   double bending_power(const Wall& wall) const;
 
   std::int64_t slots() const { return slots_; }
+  std::size_t bytes() const {  // of all arrays
+    return stones.size() * sizeof stones[0] + touches_.size() * sizeof touches_[0] +
+           history.raw().size_bytes();
+  }
   const Touch& touch(std::int64_t slot) const { return touches_[slot]; }
 
   // See dem/state.h.

@@ -278,4 +278,13 @@ TEST_F(SceneMistakes, refuses_keys_that_exclude_another) {
               ElementsAre(StartsWith("--set head.mass: expected either")));
 }
 
+TEST_F(SceneMistakes, refuses_maps_that_would_not_end_with_a_gyration) {
+  // A turn of two seconds is 200 rows of a hundredth, and no whole number of 0.3 s.
+  EXPECT_THAT(mistakes(least, {"output.maps=true", "output.history_interval=10 ms"}), IsEmpty());
+  EXPECT_THAT(mistakes(least, {"output.maps=true", "output.history_interval=0.3 s"}),
+              ElementsAre(AllOf(StartsWith("--set output.history_interval: expected"),
+                                HasSubstr("a whole number of rows"), HasSubstr("0.3 s"))));
+  EXPECT_THAT(mistakes(least, {"output.history_interval=0.3 s"}), IsEmpty());
+}
+
 }  // namespace
