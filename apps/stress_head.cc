@@ -14,9 +14,12 @@ using Eigen::VectorXd;
 using std::numbers::pi;
 
 constexpr const char* joint_source =
-    "beam + annular plate + joint as rocking half-space and built-in edge; tolerance 5 %: these "
-    "two "
-    "are the limits of a thick and a thin plate and overlap";
+    "annular plate + rocking half-space + built-in edge; tolerance 30 %: the last two are the "
+    "limits of a thick and a thin plate and overlap";
+constexpr double joint_tolerance = 0.3;
+constexpr const char* tilt_source =
+    "beam + joint; tolerance 5 %: the joint is a tenth of it, known to 30 %";
+constexpr double tilt_tolerance = 0.05;
 
 using Load = std::function<VectorXd(const fem::ElasticBody&)>;  // nodal forces (unknowns) [N]
 
@@ -145,16 +148,16 @@ StressReport press_off_centre(const StressCase& given) {
   const double moment = p * pi * a * a * given.load.eccentricity;  // about -y
   const double tilt = -loaded.face_motion().tilt_y / moment;
   const double tilt_longer = -longer.face_motion().tilt_y / moment;
-  const double beam = beam_rotation(head, 1);
-  return loaded.report({{"tilt_per_moment", "rad/(N m)", tilt, beam + joint_rotation(head).sum(),
-                         joint_source, 0.05},
-                        {"tilt_per_moment_of_longer_shaft", "rad/(N m)", tilt, tilt_longer - beam,
-                         "the same head on a shaft 2L, less a beam's L/(EI)", 0.01},
-                        {"tilt_per_moment_of_shaft", "rad/(N m)", tilt_longer - tilt, beam,
-                         "beam, L/(EI), from heads on shafts L and 2L", 0.01},
-                        {"bending_stress_shaft", "Pa", -loaded.mid_shaft_stress().at_rim,
-                         bending_stress(head, moment),
-                         "beam, M b/I at mid-length; the shaft is compressed at +x", 0.02}});
+  const double beam = beam_rotation(head, 1), joint = joint_rotation(head).sum();
+  return loaded.report(
+      {{"tilt_per_moment", "rad/(N m)", tilt, beam + joint, tilt_source, tilt_tolerance},
+       {"joint_rotation_per_moment", "rad/(N m)", tilt - beam, joint, joint_source,
+        joint_tolerance},
+       {"tilt_per_moment_of_shaft", "rad/(N m)", tilt_longer - tilt, beam,
+        "beam, L/(EI), from heads on shafts L and 2L", 0.01},
+       {"bending_stress_shaft", "Pa", -loaded.mid_shaft_stress().at_rim,
+        bending_stress(head, moment), "beam, M b/I at mid-length; the shaft is compressed at +x",
+        0.02}});
 }
 
 // A force at the centre of the face, with elements small enough for the field close to it. It is a
@@ -216,13 +219,16 @@ StressReport check_angle(const StressCase& given) {
   const LoadedHead loaded(head, given.mesh, load);
   const double degree = 180 / pi, loss = -loaded.face_motion().tilt_y * degree;
   const double shaft = beam_rotation(head, moment), joint = joint_rotation(head).sum() * moment;
-  constexpr double least = 0.5e-4, most = 5e-4;  // of machines [deg/(N m)]
+  constexpr double least = 0.5e-4, most = 5e-4;  // of machines, from memory [deg/(N m)]
   return loaded.report(
-      {{"angle_loss", "deg", loss, (shaft + joint) * degree, joint_source, 0.05},
-       {"angle_loss_per_moment", "deg/(N m)", loss / moment, std::clamp(loss / moment, least, most),
-        "within 0.5e-4 to 5e-4 of machines (from memory; 1.6e-4 and 2.4e-4 from TRR 1789's 0.074 "
-        "and 0.110 deg, if at 466 N m); reference: the nearest value of the range",
-        0}});
+      {{"angle_loss", "deg", loss, (shaft + joint) * degree, tilt_source, tilt_tolerance},
+       {"joint_rotation", "deg", loss - shaft * degree, joint * degree, joint_source,
+        joint_tolerance},
+       {"angle_loss_per_moment", "deg/(N m)", loss / moment, (least + most) / 2,
+        "machines lie from 0.5e-4 to 5e-4 (from memory): the middle, tolerance to either end; TRR "
+        "1789's 0.074 and 0.110 deg are 1.6e-4 and 2.4e-4 of the 466 N m on both heads together, "
+        "3.2e-4 and 4.7e-4 of the 233 N m on each",
+        (most - least) / (most + least)}});
 }
 
 }  // namespace

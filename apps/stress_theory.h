@@ -37,7 +37,9 @@ double axial_stress(const fem::Head& head, double force);     // F / A [Pa]
 double rim_deflection(const fem::Head& head, double pressure);
 
 // What the joint of plate and shaft adds to the rotation of the shaft's end, as the slope of the
-// plane fitted to the plate's face under a pressure that grows linearly across it [rad/(N m)].
+// plane fitted to the plate's face under a pressure that grows linearly across it [rad/(N m)]. Edge
+// and rocking overlap: finite elements turn by 0.71 to 0.85 of the sum where the plate is 0.6 to
+// 1.6 shaft radii thick, by 1.04 of it at 0.4.
 struct JointRotation {
   double plate;  // annular plate, clamped at the shaft, by bending and shear as in rim_deflection
   double edge;   // a plate's built-in edge yields by 16.67 M / (pi E' t^2): O'Donnell (1960), for a
