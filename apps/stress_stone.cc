@@ -1,6 +1,11 @@
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
+#include "apps/errors.h"
 #include "apps/laws.h"
 #include "apps/stress_cases.h"
 #include "coupling/elastic_wall.h"
@@ -17,6 +22,16 @@ double approach(double modulus, double radius, double force, double compliance) 
 }
 
 }  // namespace
+
+fem::ReducedBody reduced_mould(const fem::ElasticBody& body, int modes,
+                               const Eigen::Matrix3Xd& points) try {
+  return body.reduce(modes, points);
+} catch (const std::invalid_argument&) {
+  throw InputError(
+      {fmt::format("stones.modes: expected fewer than the degrees of freedom of the mould's face, "
+                   "found {}; take fewer",
+                   modes)});
+}
 
 // A stone is pressed on the mould at mid-height, towards +x, by a force that stands in for its
 // weight: gravity along +x. It meets the reduced body through the letterbox, as in a run.
@@ -39,7 +54,7 @@ StressReport press_one_stone(const StressCase& given) {
   const double cell = 2 * std::numbers::pi * inner / sectors;
   const int rows = 2 * std::max(2, static_cast<int>(std::lround(mould.height / cell / 2)));
   wall.field.emplace(dem::CylinderGrid{inner, mould.height, rows, sectors});
-  fem::ReducedBody modes = body.reduce(stone.modes, coupling::letterbox_points(wall));
+  fem::ReducedBody modes = reduced_mould(body, stone.modes, coupling::letterbox_points(wall));
 
   const int node = rows / 2 * sectors, opposite = node + sectors / 2;
   const Eigen::VectorXd amplitude =  // under a unit force along +x
@@ -70,7 +85,10 @@ StressReport press_one_stone(const StressCase& given) {
   coupling::ElasticWall elastic(modes, ring, exchange);
   const double period = 20 * settings.largest_step * 2 * std::numbers::pi;
   press.set_drag(1 / period);
-  while (press.time() < 60 * period) {
+  constexpr double at_rest = 1e-4;  // of the slowest mode's swing, what may be left of it
+  const double slowest = std::sqrt(modes.stiffness[0] / (stone.mass_scale * modes.mass[0]));
+  const double end = std::max(60 * period, -std::log(at_rest) / (exchange.damping * slowest));
+  while (press.time() < end) {
     press.step();
     elastic.exchange(ring, {press.last_step(), press.time_step()});
   }
