@@ -275,6 +275,13 @@ modes = 20
                                    f"mould.height={height} mm")
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
+    def test_a_column_without_wall_friction_is_in_balance(self):
+        # What should be nothing is, but for rounding, nothing against the wall's push.
+        done = self.load_steel("column", "stones.count=60", "stones.wall_friction=0")
+        rows = {row["quantity"]: row for row in json.loads(done.stdout)["rows"]}
+        for quantity in ("traction_resultant", "fe_reaction"):
+            self.assertTrue(rows[quantity]["pass"], rows[quantity])
+
     def test_a_thin_wall_comes_to_rest_under_its_stone(self):
         # Its slowest mode swings at 7 Hz, damped by 15 %: 1.3 s to 1e-4, the stone takes 0.5 s.
         done = self.load_steel("one_stone", "mould.wall_thickness=2 mm")
