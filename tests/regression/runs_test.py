@@ -341,7 +341,7 @@ modes = 20
         subprocess.run(line, check=True)
         again = subprocess.run(line, capture_output=True, text=True)
         self.assertEqual(again.returncode, 4)
-        self.assertIn("results.h5", again.stderr)
+        self.assertIn("expected a folder without a run, found one", again.stderr)
 
 
 if __name__ == "__main__":
