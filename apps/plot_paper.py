@@ -134,7 +134,7 @@ def conditions(study):
              else f"Elastic steel, {plural(round(turns(study)), 'gyration')}")
     seeds = max(len(mix.runs) for mix in study.values())
     return (f"{place}; {plural(seeds, 'seed')}, `{scene['run']['fidelity']}`"
-            + f" with mass scale {scene['numerics']['mass_scale']:.0e}".replace("e+0", "e")
+            + f" with mass scale {scene['numerics']['mass_scale']:.2g}".replace("e+0", "e")
             + " on the smallest stones" * bool(scene["numerics"].get("selective_mass"))
             + "".join(f". Left out, {mix.name}, {seed}: {why.strip()}"
                       for mix in study.values() for seed, why in mix.stopped.items())
