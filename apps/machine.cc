@@ -12,10 +12,9 @@
 namespace apps {
 namespace {
 
-constexpr double reference_voids = 0.04;    // of the specimen that sizes a mould [-]
-constexpr double clearance_share = 1.5e-3;  // plate clearance / mould diameter (EN 12697-31) [-]
-constexpr double longest_gauge =
-    0.125;  // / circumference: beyond it, it reads no strain at a place
+constexpr double reference_voids = 0.04;     // of the specimen that sizes a mould [-]
+constexpr double clearance_share = 1.5e-3;   // plate clearance / mould diameter (EN 12697-31) [-]
+constexpr double longest_gauge = 0.125;      // / circumference: a longer one reads no single place
 constexpr double least_stones_across = 2.5;  // mould diameter / largest stone
 
 }  // namespace
