@@ -7,6 +7,7 @@ void take_fidelity(const std::string& fidelity, NumericsScene& numerics) {
   if (fidelity == "standard") return;
   numerics.selective_mass = false;
   if (fidelity == "draft") {
+    numerics.mass_scale = 1e4;
     numerics.safety = 0.4;
   } else {
     numerics.mass_scale = 100;

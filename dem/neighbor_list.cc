@@ -61,7 +61,7 @@ std::size_t find_seconds(const Spheres& spheres, const std::vector<Level>& level
 }
 
 constexpr std::int64_t rows_per_chunk = 128;    // searched by one thread in one go
-constexpr std::int64_t stones_per_stray = 128;  // fewer are searched one by one
+constexpr std::int64_t stones_per_stray = 128;  // fewer are searched by themselves
 
 // Of the candidates, for a list with the given one [m]: wide enough to last for many builds, and
 // not so wide that they are many more than the neighbours.
@@ -78,14 +78,27 @@ bool closer(const Spheres& spheres, std::uint32_t i, std::uint32_t j, double ski
   return dot(apart, apart) < reach * reach;
 }
 
-// Adds every pair of a stone with any other.
-void add_pairs_of(std::uint32_t stone, const Spheres& spheres, double skin,
+// Adds every pair of one of these stones with any other; a pair of two of them twice.
+void add_pairs_of(std::span<const std::uint32_t> stones, const Spheres& spheres, double skin,
                   std::vector<StonePair>& pairs) {
+  if (stones.empty()) return;
+  double reach = 0, largest = 0;
+  for (const std::uint32_t i : stones) {
+    largest = std::max(largest, spheres.radius[i]);
+    reach = std::max(reach, spheres.radius[i] + skin + spheres.extra_of(i));
+  }
+  CellGrid grid;
+  grid.fill(spheres, stones, 2 * largest + skin);
   for (std::uint32_t k = 0; k < spheres.position.size(); ++k) {
-    if (k == stone || !closer(spheres, stone, k, skin)) continue;
-    const bool first =
-        comes_first(spheres.radius[stone], spheres.id[stone], spheres.radius[k], spheres.id[k]);
-    pairs.push_back(first ? StonePair{stone, k} : StonePair{k, stone});
+    const double radius = spheres.radius[k];
+    grid.near(spheres.position[k], radius + spheres.extra_of(k) + reach, [&](auto run) {
+      for (const CellGrid::Entry& stone : run) {
+        const std::uint32_t i = stone.place;
+        if (i == k || !closer(spheres, i, k, skin)) continue;
+        const bool first = comes_first(stone.radius, stone.id, radius, spheres.id[k]);
+        pairs.push_back(first ? StonePair{i, k} : StonePair{k, i});
+      }
+    });
   }
 }
 
@@ -161,7 +174,7 @@ void NeighborList::build(const Spheres& spheres, double skin, std::span<const St
     candidates.search(spheres, wide_skin(spheres, skin));
     strays = candidates.strays(spheres, skin);  // the few whose extra is wider than the stock
   }
-  for (const std::uint32_t stone : strays) add_pairs_of(stone, spheres, skin, beside);
+  add_pairs_of(strays, spheres, skin, beside);
 
   std::vector<std::uint32_t> kept_first;
   for (const StonePair& pair : beside) kept_first.push_back(pair.first);

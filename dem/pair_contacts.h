@@ -21,6 +21,9 @@
 
 namespace dem {
 
+// More stones lie too far from the processor to be waited for.
+inline constexpr std::size_t stones_in_cache = 20000;
+
 // Steps between two looks at stiffness and overlap, at most.
 inline constexpr int check_interval = 16;
 
@@ -71,6 +74,7 @@ class PairContacts {
   void evaluate_at(const Law& law, const ParticleStore& stones, double dt, double horizon,
                    std::int64_t slot, Tallies::Batch& batch, int in_batch,
                    LaneExtremes<T>& extremes);
+  void fetch(const ParticleStore& stones, std::int64_t slot) const;
   template <class T>
   bool dozes(const ParticleStore& stones, std::int64_t slot) const;
   template <class T>
@@ -106,6 +110,7 @@ template <ContactLaw Law>
 template <class T, bool check>
 Extremes PairContacts<Law>::evaluate_blocks(ParticleStore& stones, double dt, double horizon) {
   Extremes found;
+  const bool far = stones.size() > stones_in_cache;
 #pragma omp parallel if (tallies_.blocks() > 1)
   {
     const Law mine = law;  // not changed by what the loop writes, as the compiler can see
@@ -118,6 +123,7 @@ Extremes PairContacts<Law>::evaluate_blocks(ParticleStore& stones, double dt, do
       for (std::int64_t s = begin; s < end; s += Tallies::Batch::slots) {
         const int count = static_cast<int>(std::min<std::int64_t>(end - s, Tallies::Batch::slots));
         batch.clear();
+        if (far) fetch(stones, s + Tallies::Batch::slots);
         for (int k = 0; k < count; k += width<T>) {
           if (!check && dozes<T>(stones, s + k)) continue;
           evaluate_at<T, check>(mine, stones, dt, horizon, s + k, batch, k, extremes);
@@ -135,6 +141,22 @@ Extremes PairContacts<Law>::evaluate_blocks(ParticleStore& stones, double dt, do
     }
   }
   return found;
+}
+
+// Asks for the stones of the batch that begins at a slot before they are needed. Inlined, or GCC
+// takes it for a function that does nothing.
+template <ContactLaw Law>
+[[gnu::always_inline]] inline void PairContacts<Law>::fetch(const ParticleStore& stones,
+                                                            std::int64_t slot) const {
+  const std::int64_t end = std::min(slots(), slot + Tallies::Batch::slots);
+  for (; slot < end; ++slot) {
+    for (const std::int32_t stone : {first(slot), second(slot)}) {
+      __builtin_prefetch(&stones.position[stone]);
+      __builtin_prefetch(&stones.velocity[stone]);
+      __builtin_prefetch(&stones.spin[stone]);
+    }
+    tallies_.fetch(slot, stones.load);
+  }
 }
 
 template <ContactLaw Law>

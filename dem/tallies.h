@@ -56,6 +56,12 @@ class Tallies {
     alignas(64) std::array<Quad, slots> force_, moment_;
     alignas(64) std::array<double, slots> arm_i_, arm_j_;
   };
+  // Asks for the loads that a slot adds to before they are needed.
+  [[gnu::always_inline]] void fetch(std::int64_t slot, const std::vector<Load>& load) const {
+    constexpr int to_write = 1;
+    __builtin_prefetch(&load[first_[slot]], to_write);
+    __builtin_prefetch(&load[second_[slot]], to_write);
+  }
   // Adds a batch of `count` slots from `slot` on, slot after slot.
   template <bool breaks>
   void add(std::int64_t slot, int count, const Batch& batch, std::vector<Load>& load) const;

@@ -21,6 +21,7 @@ TEST_F(Fidelity, gives_defaults_and_the_keys_of_the_scene_hold) {
   EXPECT_FALSE(draft.mould.elastic);
   EXPECT_TRUE(standard.numerics.selective_mass);
   EXPECT_FALSE(draft.numerics.selective_mass);
+  EXPECT_GT(draft.numerics.mass_scale, standard.numerics.mass_scale);
   EXPECT_LT(reference.numerics.mass_scale, standard.numerics.mass_scale);
   EXPECT_FALSE(reference.numerics.selective_mass);
   EXPECT_FALSE(apps::FlowTestScene{}.numerics.selective_mass);
