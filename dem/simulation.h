@@ -232,7 +232,7 @@ void Simulation<Law>::set_time_step(double dt) {
 template <ContactLaw Law>
 void Simulation<Law>::inspect(const Extremes& pair, const std::vector<WallExtremes>& at_walls) {
   const auto stone_of = [&](std::int32_t place) { return stones_.id[place]; };
-  constexpr double around_a_stone = 12;
+  constexpr double around_a_stone = 12, skins_a_step = 2;
   double rate = pair.rate;
   std::string limiting;
   if (pair.rate_slot >= 0 && rate > 0)
@@ -252,11 +252,21 @@ void Simulation<Law>::inspect(const Extremes& pair, const std::vector<WallExtrem
       limiting = "stone " + std::to_string(stone_of(wall_contacts_[w].stones[at.rate_slot])) +
                  " at wall " + walls_[w].name;
     }
-    // A ram bears all of them at once, a stone some twelve, of which the stiffest is asked.
     const auto* ram = std::get_if<Ram>(&walls_[w].motion);
-    if (!ram || at.stiffness / ram->inertia <= around_a_stone * rate) continue;
-    rate = at.stiffness / ram->inertia / around_a_stone;
-    limiting = "wall " + walls_[w].name + " on its stones";
+    if (!ram) continue;
+    // A ram bears all of them at once, a stone some twelve, of which the stiffest is asked.
+    const double borne = at.stiffness / ram->inertia / around_a_stone;
+    if (borne > rate) {
+      rate = borne;
+      limiting = "wall " + walls_[w].name + " on its stones";
+    }
+    if (!std::isfinite(ram->valve_speed)) continue;
+    // Nor does it come far in a single step.
+    const double hasty = settings_.safety * ram->valve_speed / (skins_a_step * settings_.skin);
+    if (hasty * hasty > rate) {
+      rate = hasty * hasty;
+      limiting = "the speed of wall " + walls_[w].name;
+    }
   }
   if (rate > 0) limiting_ = limiting;
   if (clock_.look(rate)) set_time_step(clock_.step());

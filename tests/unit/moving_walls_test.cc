@@ -255,6 +255,37 @@ TEST(moving_walls, a_light_ram_on_heavy_stones_does_not_shake) {
   }
 }
 
+TEST(moving_walls, a_fast_ram_does_not_come_far_in_a_step) {
+  // From the definition: two skins a step at the speed where its oil loses all pressure, though
+  // the stone, far away and heavy, would bear steps a hundred times as long.
+  dem::Settings settings;
+  settings.largest_step = 0.2;
+  settings.skin = 0.1e-3;
+  settings.gravity = 0;
+  dem::Simulation<Dry> bed(dem::make_stones({{0, 0, -1}}, {2e-3}, {2650}, 1e7), law(), settings);
+  dem::Wall lid;
+  lid.name = "head";
+  lid.surface = dem::Disc{10e-3};
+  lid.motion = dem::Ram{.inertia = 1,
+                        .weight = 0,
+                        .force = 1e3,
+                        .ramp_start = 0,
+                        .ramp = 0,
+                        .angle = 0,
+                        .speed = 0,
+                        .spin = false,
+                        .valve_speed = 0.1};
+  dem::orient(std::get<dem::Ram>(lid.motion), lid.frame, 0);
+  bed.add_wall(lid, law());
+  for (int step = 0; step < 20; ++step) {
+    const double before = bed.walls()[0].frame.origin.z;
+    bed.step();
+    ASSERT_LE(before - bed.walls()[0].frame.origin.z, 2 * settings.skin);
+  }
+  EXPECT_EQ(bed.limiting_contact(), "the speed of wall head");
+  EXPECT_NEAR(bed.walls()[0].frame.velocity.z, -0.1, 1e-3);
+}
+
 TEST(moving_walls, a_wall_without_a_number_stops_the_run_by_name) {
   // From the promise: numerical trouble names stone, time and value, wherever it begins.
   dem::Settings settings;
