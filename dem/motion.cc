@@ -16,6 +16,10 @@ double Ram::thrust_at(double time, double velocity) const {
   return force_at(time) + force * share * std::abs(share);
 }
 
+double Ram::fastest() const {
+  return valve_speed * std::sqrt(1 + weight / force);
+}
+
 double Ram::phase_at(double time) const {
   return 2 * std::numbers::pi * speed * std::max(0.0, time - turns_from());
 }

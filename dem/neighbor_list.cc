@@ -61,7 +61,7 @@ std::size_t find_seconds(const Spheres& spheres, const std::vector<Level>& level
 }
 
 constexpr std::int64_t rows_per_chunk = 128;    // searched by one thread in one go
-constexpr std::int64_t stones_per_stray = 128;  // fewer are searched by themselves
+constexpr std::int64_t stones_per_stray = 128;  // up to so few, only theirs are searched
 
 // Of the candidates, for a list with the given one [m]: wide enough to last for many builds, and
 // not so wide that they are many more than the neighbours.

@@ -4,9 +4,9 @@
 // and the ids of the two (see `comes_first`), never on where the store holds them. So a slot keeps
 // its orientation, and with it the sign of its history, over every rebuild and reordering.
 //
-// Most builds only sift a stock of candidates, pairs closer than a much wider skin, and hold the
-// few stones that have moved too far for it against all others. The stock is searched anew when
-// these are no longer few or stones were reordered, by levels of radius (after Ogarko, Luding
+// Most builds only sift a stock of candidates, pairs closer than a much wider skin, and let all
+// stones look into a grid of the few that have moved too far for it. The stock is searched anew
+// when these are no longer few or stones were reordered, by levels of radius (after Ogarko, Luding
 // (2012)): each level spans a factor of two and has a grid of its own, and a stone looks for
 // partners in its own and the coarser levels, so that small stones do not pay for large ones.
 #pragma once

@@ -260,9 +260,12 @@ void Simulation<Law>::inspect(const Extremes& pair, const std::vector<WallExtrem
       rate = borne;
       limiting = "wall " + walls_[w].name + " on its stones";
     }
+    // Nor does a ram with a valve come far in a single step, at the speed that it may have until
+    // the next look.
     if (!std::isfinite(ram->valve_speed)) continue;
-    // Nor does it come far in a single step.
-    const double hasty = settings_.safety * ram->valve_speed / (skins_a_step * settings_.skin);
+    const double gain = check_interval * clock_.step() * (ram->force + ram->weight) / ram->inertia;
+    const double fastest = std::min(norm(walls_[w].frame.velocity) + gain, ram->fastest());
+    const double hasty = settings_.safety * fastest / (skins_a_step * settings_.skin);
     if (hasty * hasty > rate) {
       rate = hasty * hasty;
       limiting = "the speed of wall " + walls_[w].name;

@@ -10,7 +10,7 @@ void Tallies::take(std::span<const std::int32_t> first, std::span<const std::int
                    ParticleStore& stones) {
   const std::int64_t slots = std::ssize(first);
   constexpr std::int64_t enough = 1024, shares = 8;  // even for two, four or eight threads
-  constexpr std::int64_t most = 8 * shares;          // the larger a block, the fewer the parts
+  constexpr std::int64_t most = 16 * shares;         // the larger a block, the fewer the parts
   blocks_ = slots <= enough ? 1 : (slots - 1) / (shares * enough) * shares + shares;
   blocks_ = std::min(blocks_, most);
   slots_per_block_ = (slots / blocks_ + lanes) / lanes * lanes;

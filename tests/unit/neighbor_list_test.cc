@@ -143,7 +143,7 @@ TEST(neighbor_list, it_stays_complete_while_stones_move) {
 }
 
 TEST(neighbor_list, it_stays_complete_while_few_stones_stray_without_a_search_for_all) {
-  // Reference: the slow and obvious search. Of 700 stones as many stray as are searched by themselves.
+  // Reference: the slow and obvious search. As many of 700 stones stray as may without a search.
   Stones stones = random_stones(700, 0.6, 5, 1);
   NeighborList list = list_of(stones);
   const std::vector<Vec3d> stock = list.candidates.position;

@@ -1,6 +1,7 @@
 #include "dem/pair_contacts.h"
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
 #include <algorithm>
 #include <cmath>
@@ -39,14 +40,15 @@ void list_pairs(Pairs& pairs, ParticleStore& stones) {
   pairs.take(list, stones);
 }
 
-// A loose cloud in which some overlap, some nearly touch, and all move and spin.
-ParticleStore cloud() {
+// A cloud in a cube of some side [m] in which some overlap, some nearly touch, and all move and
+// spin.
+ParticleStore cloud(int count = 60, double side = 20e-3) {
   std::mt19937 engine(1);
   const auto any = [&] { return engine() / 4294967295.0 - 0.5; };
   std::vector<Vec3d> position;
   std::vector<double> radius;
-  for (int k = 0; k < 60; ++k) {
-    position.push_back({20e-3 * any(), 20e-3 * any(), 20e-3 * any()});
+  for (int k = 0; k < count; ++k) {
+    position.push_back({side * any(), side * any(), side * any()});
     radius.push_back(2e-3 + 1e-3 * any());
   }
   ParticleStore stones = make_stones(position, radius, {2650, shell, 1950}, 100);
@@ -118,12 +120,8 @@ TEST(pair_contacts, looking_at_the_extremes_does_not_change_the_forces) {
   EXPECT_EQ(__builtin_memcmp(seen.data(), unseen.data(), seen.size() * sizeof(Load)), 0);
 }
 
-TEST(pair_contacts, forces_found_again_add_up_to_the_loads) {
-  // By definition: force on the first stone, its opposite on the second, torques by their arms.
-  ParticleStore stones = cloud();
-  Pairs pairs;
-  list_pairs(pairs, stones);
-  const std::vector<Load> known = evaluated(pairs, stones).load;
+// By definition: force on the first stone, its opposite on the second, torques by their arms.
+void expect_sums(const Pairs& pairs, const ParticleStore& stones, const std::vector<Load>& known) {
   const std::vector<SlotForce> forces = pairs.forces(stones);
   std::vector<Load> sum(stones.size(), Load{});
   for (std::int64_t s = 0; s < pairs.slots(); ++s) {
@@ -138,6 +136,34 @@ TEST(pair_contacts, forces_found_again_add_up_to_the_loads) {
     EXPECT_NEAR(norm(sum[k].force - known[k].force), 0, scale);
     EXPECT_NEAR(norm(sum[k].torque - known[k].torque), 0, scale);
   }
+}
+
+TEST(pair_contacts, forces_found_again_add_up_to_the_loads) {
+  ParticleStore stones = cloud();
+  Pairs pairs;
+  list_pairs(pairs, stones);
+  const std::vector<Load> known = evaluated(pairs, stones).load;
+  expect_sums(pairs, stones, known);
+}
+
+TEST(pair_contacts, a_large_bed_is_added_up_by_any_number_of_threads_with_the_same_bits) {
+  // More stones and slots than for which anything is done otherwise; sums as above.
+  ParticleStore stones = cloud(25000, 0.1);
+  Pairs pairs;
+  list_pairs(pairs, stones);
+  ASSERT_GT(pairs.slots(), 200000);
+  const auto memories = pairs.history;
+  const int threads = omp_get_max_threads();
+  std::vector<std::vector<Load>> loads;
+  for (const int count : {1, 2, 3}) {
+    omp_set_num_threads(count);
+    pairs.history = memories;
+    loads.push_back(evaluated(pairs, stones).load);
+    EXPECT_EQ(
+        __builtin_memcmp(loads.back().data(), loads[0].data(), loads[0].size() * sizeof(Load)), 0);
+  }
+  omp_set_num_threads(threads);
+  expect_sums(pairs, stones, loads[0]);
 }
 
 // Two stones on the z axis whose shells overlap by `overlap`.
