@@ -16,8 +16,9 @@ double Ram::thrust_at(double time, double velocity) const {
   return force_at(time) + force * share * std::abs(share);
 }
 
-double Ram::fastest() const {
-  return valve_speed * std::sqrt(1 + weight / force);
+double Ram::fastest(double speed, double within) const {
+  const double on_nothing = valve_speed * std::sqrt(1 + weight / force);
+  return std::min(speed + within * (force + weight) / inertia, on_nothing);
 }
 
 double Ram::phase_at(double time) const {

@@ -35,8 +35,8 @@ struct Ram {
   double dwell = 0;   // at full force, before the tilt goes round [s]
   double valve_speed = std::numeric_limits<double>::infinity();  // [m/s]
 
-  double force_at(double time) const;  // before the valve, downwards [N]
-  double fastest() const;              // falling on nothing with all of its force [m/s]
+  double force_at(double time) const;                    // before the valve, downwards [N]
+  double fastest(double speed, double within) const;     // from that speed on, within a time [m/s]
   double thrust_at(double time, double velocity) const;  // behind it [N], velocity upwards [m/s]
   double turns_from() const { return ramp_start + ramp + dwell; }  // [s]
   double phase_at(double time) const;                              // [rad]

@@ -21,7 +21,7 @@
 
 namespace dem {
 
-// More stones lie too far from the processor to be waited for.
+// A bed of more stones lies outside of the caches (measured, tests/speed/README.md).
 inline constexpr std::size_t stones_in_cache = 20000;
 
 // Steps between two looks at stiffness and overlap, at most.

@@ -263,8 +263,8 @@ void Simulation<Law>::inspect(const Extremes& pair, const std::vector<WallExtrem
     // Nor does a ram with a valve come far in a single step, at the speed that it may have until
     // the next look.
     if (!std::isfinite(ram->valve_speed)) continue;
-    const double gain = check_interval * clock_.step() * (ram->force + ram->weight) / ram->inertia;
-    const double fastest = std::min(norm(walls_[w].frame.velocity) + gain, ram->fastest());
+    const double fastest =
+        ram->fastest(norm(walls_[w].frame.velocity), check_interval * clock_.step());
     const double hasty = settings_.safety * fastest / (skins_a_step * settings_.skin);
     if (hasty * hasty > rate) {
       rate = hasty * hasty;
