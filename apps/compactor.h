@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 
 #include "apps/archive.h"
 #include "apps/bed.h"
@@ -40,8 +39,9 @@ class Compactor {
   const dem::Simulation<Law>& bed() const { return bed_; }
   const dem::Wall& plate() const { return bed_.walls()[head]; }
   const dem::Wall& ring() const { return bed_.walls()[mould]; }
-  const std::optional<SteelPart>& elastic_head() const { return elastic_head_; }
-  const std::optional<SteelPart>& elastic_mould() const { return elastic_mould_; }
+  // None where they are rigid.
+  const SteelPart* elastic_head() const { return elastic_head_.get(); }
+  const SteelPart* elastic_mould() const { return elastic_mould_.get(); }
 
   // See dem/state.h. First whether it is closed, and how: restored, it is closed again. Then, with
   // all letterboxes in place, the rest.
@@ -58,7 +58,7 @@ class Compactor {
   const LawBook& book_;
   const Machine& machine_;
   dem::Simulation<Law> bed_;
-  std::optional<SteelPart> elastic_mould_, elastic_head_;
+  Steel elastic_mould_, elastic_head_;
   double head_mass_ = 0;  // [kg]
   bool closed_ = false;
   double closed_at_ = 0;    // [s]
@@ -156,8 +156,8 @@ void Compactor<Law>::mount_head() {
   plate.name = "head";
   plate.surface = dem::Disc{machine_.plate_radius};
   if (scene_.head.elastic) {
-    elastic_head_.emplace(*scene_.head.elastic, machine_, scene_.numerics, plate);
-    head_mass_ = elastic_head_->mass();
+    elastic_head_ = make_steel(*scene_.head.elastic, machine_, scene_.numerics, plate);
+    head_mass_ = elastic_head_->outline().mass;
   } else {
     head_mass_ = rigid_head_mass(scene_.head, machine_);
   }
@@ -166,7 +166,8 @@ void Compactor<Law>::mount_head() {
   plate.frame.origin = {0, 0, plate_start_};
   bed_.add_wall(plate, wall_law(head, true));
   if (scene_.mould.elastic)
-    elastic_mould_.emplace(*scene_.mould.elastic, machine_, scene_.numerics, bed_.walls()[mould]);
+    elastic_mould_ =
+        make_steel(*scene_.mould.elastic, machine_, scene_.numerics, bed_.walls()[mould]);
   const Law law = book_.law<Law>({std::nullopt, scene_.stones.friction}, true);
   bed_.set_laws(law, {wall_law(floor, true), wall_law(mould, true), wall_law(head, true)});
   if (scene_.numerics.selective_mass) bed_.set_inertia(selected_inertia(law, bed_.stones()));

@@ -12,9 +12,7 @@ constexpr double touching_neighbours = 5;  // of a stone, measured
 // chains through large stones count: measured, 0.55 to 0.6 with 450 and 5000 stones in the mould.
 constexpr double left_of_step = 0.6;
 constexpr double falls_to_rest = 1.7;  // times of free fall until a bed is at rest, measured
-// Inertial numbers up to which a flow is quasi-static (GDR MiDi 2004), and up to which its forces
-// still are roughly those of rest.
-constexpr double quasi_static = 1e-3, nearly_static = 1e-2;
+constexpr double nearly_static = 1e-2;  // inertial number up to which forces are roughly at rest
 constexpr double nearly_unstable = 0.5;  // twelve such contacts around a stone bear 2 / sqrt(12)
 constexpr double enough_widths = 4;  // 150 mm for stones up to 37.5 mm: AASHTO T 312, from memory
 
@@ -65,6 +63,7 @@ BedForecast forecast(const BedPlan& plan, const Mix& mix, const Loading& loading
   const double density = mass / (mix.stone_volume + mix.binder_volume);
   told.inertial_number = loading.shear_rate * (mean + 2 * mix.shell) *
                          std::sqrt(plan.numerics.mass_scale * density / loading.pressure);
+  told.quasi_static = loading.quasi_static;
   told.widths = loading.width / told.largest;
   return told;
 }
@@ -86,14 +85,14 @@ std::vector<std::string> forecast_lines(const BedForecast& told, const NumericsS
       fmt::format("time to take     about {} here ({:.2g} ms a step{})", duration(told.seconds()),
                   1e3 * told.seconds_per_step, steel_share(told)),
       fmt::format("inertial number  {:.1e} (quasi-static below {:.0e})", told.inertial_number,
-                  quasi_static)};
-  const double most = numerics.mass_scale * std::pow(quasi_static / told.inertial_number, 2);
+                  told.quasi_static)};
+  const double most = numerics.mass_scale * std::pow(told.quasi_static / told.inertial_number, 2);
   if (told.inertial_number > nearly_static)
     lines.push_back(fmt::format(
         "warning: numerics.mass_scale = {:.0f} is too high, the stones' inertia will carry part of "
         "the load; {:.0f} would be quasi-static",
         numerics.mass_scale, std::max(1.0, most)));
-  else if (told.inertial_number > quasi_static)
+  else if (told.inertial_number > told.quasi_static)
     lines.push_back(fmt::format(
         "warning: numerics.mass_scale = {:.0f} is high for a quasi-static run ({:.0f} would be); "
         "show that half of it gives the same curve",

@@ -27,6 +27,7 @@ struct Loading {
   double shear_rate;  // of the mix [1/s]
   double duration;    // after the bed has settled [s]
   double width;       // least inner width of the container [m]
+  double quasi_static;  // inertial number up to which the stones' inertia does not show [-]
 };
 
 struct BedForecast {
@@ -40,7 +41,7 @@ struct BedForecast {
   double seconds_per_step;            // of the wall clock, without elastic steel
   double steel_seconds = 0;           // of the wall clock, from the meshes to the reduced bodies
   double steel_seconds_per_step = 0;  // of the wall clock, after the settling
-  double inertial_number;             // [-]
+  double inertial_number, quasi_static;  // what it will be, and up to what it does not show [-]
   double widths;                      // container width / largest stone [-]
   double loaded_steps() const { return loaded_time / loaded_step; }
   double steps() const { return settling_time / loose_step + loaded_steps(); }

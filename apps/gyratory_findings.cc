@@ -7,9 +7,10 @@ namespace apps {
 namespace {
 
 void add_steel(std::vector<Finding>& found, const std::string& name, const SteelPart& part) {
-  found.push_back({name + "_unknowns", static_cast<std::int64_t>(part.body().unknowns())});
-  found.push_back({name + "_gain", part.coupled().gain().maxCoeff()});
-  found.push_back({name + "_truncation_error", part.coupled().body().truncation_error});
+  const SteelPart::Outline outline = part.outline();
+  found.push_back({name + "_unknowns", static_cast<std::int64_t>(outline.unknowns)});
+  found.push_back({name + "_gain", outline.gain});
+  found.push_back({name + "_truncation_error", outline.truncation});
 }
 
 }  // namespace

@@ -1,8 +1,6 @@
 // The summary of a gyratory run.
 #pragma once
 
-#include <optional>
-
 #include "apps/findings.h"
 #include "apps/machine.h"
 #include "apps/recorder.h"
@@ -26,10 +24,10 @@ struct GyratoryOutcome {
   BedReport bed;
   Spent spent;
   std::int64_t settled_steps;
-  double settled_height;  // [m]
-  double head_mass;       // [kg]
-  double voids_at_start;  // [-]
-  const std::optional<SteelPart>&head, &mould;
+  double settled_height;          // [m]
+  double head_mass;               // [kg]
+  double voids_at_start;          // [-]
+  const SteelPart *head, *mould;  // none: rigid
   Rows last_gyrations;
 };
 

@@ -41,14 +41,14 @@ void GyratoryPictures::draw(double time, const dem::ParticleStore& stones,
   draw_stones(folder_ + "/" + stone_file, stones, coordination);
   stones_.add(time, stone_file);
 
-  const std::string head_file = named("head", head.steel.has_value());
+  const std::string head_file = named("head", head.steel);
   if (head.steel)
     head.steel->draw(folder_ + "/" + head_file, head.wall.frame);
   else
     write_polygons(folder_ + "/" + head_file, rigid_plate(head.wall), {});
   head_.add(time, head_file);
 
-  const std::string mould_file = named("mould", mould.steel.has_value());
+  const std::string mould_file = named("mould", mould.steel);
   if (mould.steel) {
     mould.steel->draw(folder_ + "/" + mould_file, mould.wall.frame);
   } else {

@@ -12,10 +12,10 @@
 
 namespace apps {
 
-// A wall and the steel behind it, if that is elastic.
+// A wall and the elastic steel behind it.
 struct MachinePart {
   const dem::Wall& wall;
-  const std::optional<SteelPart>& steel;
+  const SteelPart* steel;  // none: rigid
 };
 
 class GyratoryPictures {

@@ -1,5 +1,7 @@
 #include "apps/path_case.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -221,6 +223,15 @@ PathCase read_path_case(const std::string& path, const std::vector<std::string>&
   if (!file.empty())
     the_case.path =
         read_path(document.path_from("path.file", file), cross.place("path.file"), mistakes);
+  if (!the_case.path.empty() && !the_case.radius.empty()) {
+    const double most = std::ranges::min(the_case.radius) + the_case.shell;
+    const double found = std::ranges::max(the_case.path, {}, &PathPoint::overlap).overlap;
+    if (found > most)
+      mistakes.add(
+          cross.place("path.file"),
+          fmt::format("for path.file overlaps of at most {:g} m, the smaller radius", most),
+          fmt::format("{:g} m", found), "write metres");
+  }
   if (mistakes.any()) throw InputError(mistakes.lines());
   return the_case;
 }

@@ -86,11 +86,34 @@ int exit_status_of(const std::function<int()>& body) {
   }
 }
 
+namespace {
+
+bool same_place(const std::filesystem::path& one, const std::filesystem::path& other) {
+  std::error_code error;
+  return std::filesystem::equivalent(one, other, error);
+}
+
+// What a program writes must not take the place of what it reads.
+void expect_another_place(const Options& options) {
+  const std::filesystem::path scene = std::filesystem::absolute(options.scene);
+  if (same_place(scene, options.out))
+    throw InputError({"--out: expected another file than the case, found " + options.out +
+                      "; choose another name"});
+  if (!options.resume && same_place(scene.parent_path(), options.out) &&
+      scene.filename() == stored_scene_file)
+    throw InputError(
+        {"--out: expected a folder without the scene that is to be run, whose name is "
+         "that of a run's own, found " +
+         options.out + "; choose another folder"});
+}
+
+}  // namespace
+
 int run_program(int argc, char** argv, const Program& program,
                 const std::function<void(const Options&)>& body) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is trouble with files like others
   Options options;
-  for (int k = 0; k < argc; ++k) options.command_line += (k ? " " : "") + std::string(argv[k]);
+  options.command_line.assign(argv, argv + argc);
   CLI::App app(program.purpose);
   add_options(app, options, program);
   try {
@@ -103,6 +126,7 @@ int run_program(int argc, char** argv, const Program& program,
     return app.exit(error) == 0 ? ok : bad_input;
   }
   return exit_status_of([&] {
+    expect_another_place(options);
     body(options);
     return static_cast<int>(ok);
   });
@@ -130,7 +154,8 @@ Provenance provenance(const std::string& program, const Options& options,
   origin.flags = GYRATORY_FLAGS;
   char host[256] = {};
   if (gethostname(host, sizeof host - 1) == 0) origin.host = host;
-  origin.command_line = options.command_line;
+  for (const std::string& word : options.command_line)
+    origin.command_line += (origin.command_line.empty() ? "" : " ") + word;
   origin.scene_text = scene_text;
   for (const std::string& line : options.overrides) origin.overrides += line + '\n';
   origin.seed = seed;

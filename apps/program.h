@@ -18,7 +18,7 @@ struct Options {
   bool overwrite = false;              // a run that is in the folder may be replaced
   bool check = false;                  // read and check the scene, run nothing
   bool quiet = false;
-  std::string command_line;
+  std::vector<std::string> command_line;
 };
 
 struct Program {

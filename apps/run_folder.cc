@@ -1,13 +1,7 @@
 #include "apps/run_folder.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <regex>
 
@@ -21,9 +15,9 @@ namespace fs = std::filesystem;
 
 bool holds_run(const fs::path& folder) {
   std::error_code error;
-  return std::ranges::any_of(
-      std::array{"results.h5", stored_scene_file, "summary.json", "checkpoint"},
-      [&](const char* name) { return fs::exists(folder / name, error); });
+  return std::ranges::any_of(std::array{"results.h5", stored_scene_file, stored_gradation_file,
+                                        "summary.json", "checkpoint"},
+                             [&](const char* name) { return fs::exists(folder / name, error); });
 }
 
 // Only what a run writes; what else lies in the folder is somebody's.
@@ -42,11 +36,7 @@ void remove_run(const fs::path& folder) {
 }  // namespace
 
 RunFolder::RunFolder(const std::string& path, const StoredScene& scene, bool overwrite)
-    : path_(path) {
-  std::error_code error;
-  fs::create_directories(path_, error);
-  if (error) throw OutputError(path_ + ": cannot be created: " + error.message());
-  lock();
+    : path_(path), lock_(path) {
   if (holds_run(path_)) {
     if (!overwrite)
       throw OutputError(path_ +
@@ -59,25 +49,6 @@ RunFolder::RunFolder(const std::string& path, const StoredScene& scene, bool ove
   write_whole_file(file(stored_scene_file), scene.text);
 }
 
-RunFolder::RunFolder(const std::string& path) : path_(path) {
-  lock();
-}
-
-RunFolder::~RunFolder() {
-  if (lock_ >= 0) ::close(lock_);
-}
-
-void RunFolder::lock() {
-  lock_ = ::open(file("lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (lock_ < 0) throw OutputError(path_ + ": cannot be written: " + std::strerror(errno));
-  if (::flock(lock_, LOCK_EX | LOCK_NB) == 0) return;
-  const int trouble = errno;
-  ::close(lock_);
-  lock_ = -1;
-  if (trouble == EWOULDBLOCK)
-    throw OutputError(path_ +
-                      ": another process runs here; wait for its end or choose another --out");
-  throw OutputError(path_ + ": cannot be locked: " + std::strerror(trouble));
-}
+RunFolder::RunFolder(const std::string& path) : path_(path), lock_(path) {}
 
 }  // namespace apps

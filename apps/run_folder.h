@@ -8,6 +8,8 @@
 
 #include <string>
 
+#include "apps/folder_lock.h"
+
 namespace apps {
 
 // A scene as text, with everything that it refers to.
@@ -28,18 +30,13 @@ class RunFolder {
   RunFolder(const std::string& path, const StoredScene& scene, bool overwrite);
   // Goes on with the run of a folder.
   explicit RunFolder(const std::string& path);
-  ~RunFolder();
-  RunFolder(const RunFolder&) = delete;
-  RunFolder& operator=(const RunFolder&) = delete;
 
   std::string file(const std::string& name) const { return path_ + '/' + name; }
   const std::string& path() const { return path_; }
 
  private:
-  void lock();
-
   std::string path_;
-  int lock_ = -1;  // descriptor; the system frees the lock however the process ends
+  FolderLock lock_;
 };
 
 }  // namespace apps

@@ -95,7 +95,9 @@ Section describe(std::optional<BinderScene>& binder) {
            {&binder->bond_energy, "bond_energy", energy_per_area, bond_energy_range,
             "work of separating two shells, per area", contact},
            {&binder->wall_bonds, "wall_bonds", pure, unbounded,
-            "shells bond to walls as to each other; false: steel with release agent", ours}},
+            "shells bond to walls, too, where their films slip by friction all the same; false: "
+            "steel with release agent",
+            ours}},
           [&binder] { binder.reset(); }};
 }
 

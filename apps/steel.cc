@@ -5,9 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 
 #include "apps/errors.h"
+#include "apps/pictures.h"
+#include "apps/steel_answers.h"
+#include "coupling/elastic_wall.h"
 
 namespace apps {
 namespace {
@@ -32,43 +36,99 @@ fem::Mould mould_of(const ElasticMouldScene& scene, const Machine& machine) {
           {scene.young, scene.poisson, scene.density}};
 }
 
-}  // namespace
+double face_radius(const ElasticHeadScene&, const Machine& machine) {
+  return machine.plate_radius;
+}
+
+double face_radius(const ElasticMouldScene&, const Machine& machine) {
+  return machine.mould_radius;
+}
+
+fem::ElasticBody body_of(const ElasticHeadScene& scene, const Machine& machine) {
+  return {head_of(scene, machine), fem::MeshSize{}};
+}
+
+fem::ElasticBody body_of(const ElasticMouldScene& scene, const Machine& machine) {
+  return {mould_of(scene, machine), fem::MeshSize{}};
+}
+
+dem::SurfaceField letterbox(const ElasticHeadScene&, const Machine& machine) {
+  return dem::SurfaceField(dem::DiscGrid{machine.plate_radius, plate_rings, sectors});
+}
+
+dem::SurfaceField letterbox(const ElasticMouldScene& scene, const Machine& machine) {
+  const double cell = 2 * std::numbers::pi * machine.mould_radius / sectors;
+  const int rows = std::max(4, static_cast<int>(std::lround(scene.height / cell)));
+  return dem::SurfaceField(dem::CylinderGrid{machine.mould_radius, scene.height, rows, sectors});
+}
+
+class ElasticPart : public SteelPart {
+ public:
+  // `section`: of the scene, whose modes it has.
+  template <class ElasticScene>
+  ElasticPart(const ElasticScene& scene, const std::string& section, const Machine& machine,
+              const NumericsScene& numerics, dem::Wall& wall);
+
+  void exchange(dem::Wall& wall, dem::Steps steps) override { coupled_->exchange(wall, steps); }
+  void visit_state(Archive& item, const std::string& in) override {
+    coupled_->visit_state(item, in);
+  }
+  Outline outline() const override;
+  Tilt tilt() const override;
+  Eigen::VectorXd gauge_influence(const dem::SurfaceField& field,
+                                  const GaugeScene& gauge) const override;
+  std::vector<double> hoop_stress(const dem::SurfaceField& field,
+                                  const Eigen::VectorXd& forces) const override {
+    return hoop_stress_at_nodes(body_, field, forces);
+  }
+  void draw(const std::string& vtu, const dem::Frame& frame) const override;
+
+ private:
+  fem::ElasticBody body_;
+  std::optional<coupling::ElasticWall> coupled_;
+  double face_radius_;  // [m]
+};
 
 template <class ElasticScene>
-void SteelPart::couple(const ElasticScene& scene, const std::string& section,
-                       const NumericsScene& numerics, dem::Wall& wall) try {
+ElasticPart::ElasticPart(const ElasticScene& scene, const std::string& section,
+                         const Machine& machine, const NumericsScene& numerics, dem::Wall& wall)
+    : body_(body_of(scene, machine)), face_radius_(face_radius(scene, machine)) {
+  wall.field = letterbox(scene, machine);
   coupling::ExchangeSettings settings;
   settings.interval = numerics.exchange_interval;
   settings.inertia_scale = numerics.head_mass_scale;
   const Eigen::Matrix3Xd points = coupling::letterbox_points(wall);
   const int count = static_cast<int>(scene.modes);
-  coupled_.emplace(count < 1 ? body_.reduce(scene.modes, points) : body_.reduce(count, points),
-                   wall, settings);
+  try {
+    coupled_.emplace(count < 1 ? body_.reduce(scene.modes, points) : body_.reduce(count, points),
+                     wall, settings);
+  } catch (const std::invalid_argument&) {
+    throw InputError(
+        {fmt::format("{}.modes: expected fewer than the degrees of freedom of the steel's face, "
+                     "found {:g}; take "
+                     "fewer",
+                     section, scene.modes)});
+  }
   if (scene.full) coupled_->follow_fully(body_.face_compliance(points), wall);
-} catch (const std::invalid_argument&) {
-  throw InputError({fmt::format(
-      "{}.modes: expected fewer than the degrees of freedom of the steel's face, found {:g}; take "
-      "fewer",
-      section, scene.modes)});
 }
 
-SteelPart::SteelPart(const ElasticHeadScene& scene, const Machine& machine,
-                     const NumericsScene& numerics, dem::Wall& wall)
-    : body_(head_of(scene, machine), fem::MeshSize{}), face_radius_(machine.plate_radius) {
-  wall.field.emplace(dem::DiscGrid{machine.plate_radius, plate_rings, sectors});
-  couple(scene, "head.elastic", numerics, wall);
+SteelPart::Outline ElasticPart::outline() const {
+  const int swinging = coupled_->oscillators();
+  return {body_.unknowns(),
+          body_.mass(),
+          coupled_->gain().maxCoeff(),
+          coupled_->body().truncation_error,
+          swinging,
+          static_cast<int>(coupled_->gain().size()) - swinging};
 }
 
-SteelPart::SteelPart(const ElasticMouldScene& scene, const Machine& machine,
-                     const NumericsScene& numerics, dem::Wall& wall)
-    : body_(mould_of(scene, machine), fem::MeshSize{}), face_radius_(machine.mould_radius) {
-  const double cell = 2 * std::numbers::pi * machine.mould_radius / sectors;
-  const int rows = std::max(4, static_cast<int>(std::lround(scene.height / cell)));
-  wall.field.emplace(dem::CylinderGrid{machine.mould_radius, scene.height, rows, sectors});
-  couple(scene, "mould.elastic", numerics, wall);
+Eigen::VectorXd ElasticPart::gauge_influence(const dem::SurfaceField& field,
+                                             const GaugeScene& gauge) const {
+  const double outside = body_.nodes().topRows(2).colwise().norm().maxCoeff();
+  return apps::gauge_influence(body_, field, gauge, outside).reshaped();
 }
 
-SteelPart::Tilt SteelPart::tilt() const {
+SteelPart::Tilt ElasticPart::tilt() const {
   // A pressure p x / a^2 with x over the disc has the moment p pi a^2 / 4 about -y; its push along
   // +z at +x turns the plate by a negative angle about y.
   const double a = face_radius_, pi = std::numbers::pi;
@@ -81,7 +141,7 @@ SteelPart::Tilt SteelPart::tilt() const {
           body_.face_motion(body_.solve(force).col(0)).tilt_y};
 }
 
-void SteelPart::draw(const std::string& vtu, const dem::Frame& frame) const {
+void ElasticPart::draw(const std::string& vtu, const dem::Frame& frame) const {
   const fem::CellMesh& cells = body_.cells();
   const Eigen::VectorXd displacement = coupled_->body().full_shape * coupled_->amplitude();
   const fem::StressField stress = body_.stress(displacement);
@@ -106,5 +166,19 @@ void SteelPart::draw(const std::string& vtu, const dem::Frame& frame) const {
   }
   write_hexahedra(vtu, place, cells.hexahedra, {shift, mises, tensor});
 }
+
+}  // namespace
+
+Steel make_steel(const ElasticHeadScene& scene, const Machine& machine,
+                 const NumericsScene& numerics, dem::Wall& wall) {
+  return std::make_unique<ElasticPart>(scene, "head.elastic", machine, numerics, wall);
+}
+
+Steel make_steel(const ElasticMouldScene& scene, const Machine& machine,
+                 const NumericsScene& numerics, dem::Wall& wall) {
+  return std::make_unique<ElasticPart>(scene, "mould.elastic", machine, numerics, wall);
+}
+
+void use_elastic_program(const std::vector<std::string>&) {}  // it is this one
 
 }  // namespace apps

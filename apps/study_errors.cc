@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <numeric>
 
 #include "apps/history_file.h"
@@ -65,12 +67,22 @@ double rms(const std::vector<double>& values) {
   return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
-std::vector<double> mean_of(const std::vector<std::vector<double>>& runs) {
-  std::vector<double> mean(runs.front().size(), 0);
-  for (const auto& run : runs)
-    for (std::size_t k = 0; k < mean.size(); ++k)
-      mean[k] += run[k] / static_cast<double>(runs.size());
-  return mean;
+// By point, over the seeds.
+struct Statistics {
+  std::vector<double> mean, deviation;
+};
+
+Statistics statistics(const BySeed& runs) {
+  const auto n = static_cast<double>(runs.size());
+  const std::size_t points = runs.begin()->second.size();
+  Statistics of = {std::vector<double>(points, 0), std::vector<double>(points, 0)};
+  for (const auto& [seed, run] : runs)
+    for (std::size_t k = 0; k < points; ++k) of.mean[k] += run[k] / n;
+  for (const auto& [seed, run] : runs)
+    for (std::size_t k = 0; k < points; ++k)
+      of.deviation[k] += (run[k] - of.mean[k]) * (run[k] - of.mean[k]) / (n - 1);
+  for (double& square : of.deviation) square = std::sqrt(square);
+  return of;
 }
 
 // What the mean over a few runs may be off by, in its standard errors, in 19 of 20 cases.
@@ -78,13 +90,9 @@ double student(double freedom) {
   return boost::math::quantile(boost::math::students_t(freedom), 0.975);
 }
 
-// By point.
-std::vector<double> squares_about(const std::vector<double>& mean,
-                                  const std::vector<std::vector<double>>& runs) {
-  std::vector<double> sum(mean.size(), 0);
-  for (const auto& run : runs)
-    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += (run[k] - mean[k]) * (run[k] - mean[k]);
-  return sum;
+bool lacks(const BySeed& runs) {
+  return runs.size() < 2 ||
+         std::ranges::any_of(runs, [](const auto& run) { return run.second.empty(); });
 }
 
 }  // namespace
@@ -128,24 +136,29 @@ Found read_found(const std::string& results, const Interest& interest) {
   return found;
 }
 
-Judgement judge(const std::vector<std::vector<double>>& setting,
-                const std::vector<std::vector<double>>& reference, double least_size) {
-  const auto lacks = [](const std::vector<double>& points) { return points.empty(); };
-  if (setting.empty() || reference.size() < 2 || std::ranges::any_of(setting, lacks) ||
-      std::ranges::any_of(reference, lacks))
-    return {};
-  const std::vector<double> expected = mean_of(reference), found = mean_of(setting);
-  const auto squares = squares_about(expected, reference), others = squares_about(found, setting);
-  const auto n = static_cast<double>(reference.size()), m = static_cast<double>(setting.size());
-  std::vector<double> difference(expected.size()), deviation(expected.size());
-  for (std::size_t k = 0; k < expected.size(); ++k) {
-    difference[k] = found[k] - expected[k];
-    deviation[k] = std::sqrt((squares[k] + others[k]) / (n + m - 2));
+Judgement judge(const BySeed& setting, const BySeed& reference, double least_size) {
+  BySeed difference, expected;
+  for (const auto& [seed, points] : reference) {
+    const auto found = setting.find(seed);
+    if (found == setting.end() || found->second.size() != points.size()) continue;
+    expected[seed] = points;
+    std::ranges::transform(found->second, points, std::back_inserter(difference[seed]),
+                           std::minus<>());
   }
-  const double size = std::max(rms(expected), least_size);
-  const double chance = student(n + m - 2) * std::sqrt(1 / n + 1 / m) * rms(deviation);
-  const int sign = expected.size() > 1 ? 0 : difference.front() < 0 ? -1 : 1;
-  return {rms(difference) / size, sign, chance / size, true};
+  if (lacks(expected)) return {};
+  const double size = std::max(rms(statistics(expected).mean), least_size);
+  const auto [mean, deviation] = statistics(difference);
+  const auto n = static_cast<double>(difference.size());
+  const int sign = mean.size() > 1 ? 0 : mean.front() < 0 ? -1 : 1;
+  return {rms(mean) / size, sign, student(n - 1) / std::sqrt(n) * rms(deviation) / size, true};
+}
+
+Judgement scatter(const BySeed& reference, double least_size) {
+  if (lacks(reference)) return {};
+  const auto [mean, deviation] = statistics(reference);
+  const auto n = static_cast<double>(reference.size());
+  const double size = std::max(rms(mean), least_size);
+  return {0, 0, student(2 * n - 2) * std::sqrt(2 / n) * rms(deviation) / size, true};
 }
 
 }  // namespace apps

@@ -1,14 +1,15 @@
 // What the settings of a study differ in, against its reference and against the scatter over seeds.
 //
-// Every quantity is a curve of some points, a number being one point. Of n and m seeds,
-//   error = rms over the points of (mean over seeds of setting - of reference) / size,
-//   noise = t sqrt(1 / n + 1 / m) x rms over the points of the deviation / size,
-// with the rms of the reference's mean as size, the pooled standard deviation of both, and t for
-// n + m - 2 degrees of freedom and 95 % (Student, 1908). A difference of two numbers that differ by
-// nothing but chance stays below the noise in 19 of 20 cases: what is inside it is no error. Runs
-// of the same seed count as independent: contacts amplify every difference between them.
+// Every quantity is a curve of some points, a number being one point. Runs of the same seed begin
+// with the same stones in the same places and are paired: of n seeds that both have,
+//   error = rms over the points of the mean over seeds of (setting - reference) / size,
+//   noise = t / sqrt(n) x rms over the points of the standard deviation of that difference / size,
+// with the rms of the reference's mean as size, and t for n - 1 degrees of freedom and 95 %
+// (Student, 1908). A difference that is nothing but chance stays below the noise in 19 of 20 cases:
+// what is inside it is no error.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,8 @@ namespace apps {
 struct Quantity {
   std::string name;    // "mould traction, peak"
   std::string column;  // of the history
-  // per_decade: slope over the logarithm of the abscissa beyond its first half unit, every part of a
-  // decade counting alike.
+  // per_decade: slope over the logarithm of the abscissa beyond its first half unit, every part of
+  // a decade counting alike.
   enum Take { last, mean, largest, smallest, curve, per_decade } take;
   double least_size;  // below it differences are told in its parts [unit of the column]
 };
@@ -40,12 +41,14 @@ struct Judgement {
   double error = 0;    // [-]
   int sign = 0;        // of the difference where it is of one number: 1 or -1
   double noise = 0;    // [-]
-  bool known = false;  // false: a run lacks the quantity, or too few seeds are finished
+  bool known = false;  // false: a run lacks the quantity, or fewer than two seeds are common
   bool beyond() const { return known && error > noise; }
 };
 
-// Of one quantity, from the points found by each seed.
-Judgement judge(const std::vector<std::vector<double>>& setting,
-                const std::vector<std::vector<double>>& reference, double least_size);
+// The points of one quantity by seed.
+using BySeed = std::map<int, std::vector<double>>;
+Judgement judge(const BySeed& setting, const BySeed& reference, double least_size);
+// How much two means like the reference's own differ by chance, with no pairs: all noise.
+Judgement scatter(const BySeed& reference, double least_size);
 
 }  // namespace apps

@@ -22,13 +22,21 @@ double mean_of(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-std::string percent(double share) {
-  return share < 0.0995 ? fmt::format("{:.1f} %", 100 * share)
-                        : fmt::format("{:.0f} %", 100 * share);
+std::string in_percent(double share) {
+  return share < 0.0995 ? fmt::format("{:.1f}", 100 * share) : fmt::format("{:.0f}", 100 * share);
 }
 
+std::string percent(double share) {
+  return in_percent(share) + " %";
+}
+
+// "-3.6 ± 28 %": the error and the noise of the two.
 std::string told(const Judgement& j) {
-  const std::string error = (j.sign < 0 ? "-" : j.sign > 0 ? "+" : "") + percent(j.error);
+  const std::string error = fmt::format("{}{} ± {} %",
+                                        j.sign < 0   ? "-"
+                                        : j.sign > 0 ? "+"
+                                                     : "",
+                                        in_percent(j.error), in_percent(j.noise));
   return j.beyond() ? "**" + error + "**" : error;
 }
 
@@ -66,14 +74,17 @@ StudyReport::StudyReport(const Study& study, const std::vector<StudyRun>& runs)
     rows_.push_back(std::move(row));
   }
   const auto of_quantity = [](const Row& row, std::size_t q) {
-    std::vector<std::vector<double>> points;
-    for (const Found& found : row.found) points.push_back(found[q]);
+    BySeed points;
+    for (std::size_t k = 0; k < row.seeds.size(); ++k) points[row.seeds[k]] = row.found[k][q];
     return points;
   };
   for (Row& row : rows_)
-    for (std::size_t q = 0; q < interest_.quantities.size(); ++q)
-      row.judgement.push_back(judge(of_quantity(row, q), of_quantity(reference(), q),
-                                    interest_.quantities[q].least_size));
+    for (std::size_t q = 0; q < interest_.quantities.size(); ++q) {
+      const double least = interest_.quantities[q].least_size;
+      const BySeed expected = of_quantity(reference(), q);
+      row.judgement.push_back(&row == &reference() ? scatter(expected, least)
+                                                   : judge(of_quantity(row, q), expected, least));
+    }
 }
 
 const StudyReport::Row& StudyReport::reference() const {
@@ -91,8 +102,12 @@ bool StudyReport::is_known(const Row& row) const {
 }
 
 std::string StudyReport::line(const Row& row) const {
-  std::string line = "| " + row.setting->name + " | ";
-  if (row.seconds.empty()) return line + row.trouble.front() + " |\n";
+  std::string line = "| " + row.setting->name;
+  if (row.seconds.empty()) return line + " | " + row.trouble.front() + " |\n";
+  if (!row.trouble.empty())
+    line += fmt::format(" ({} of {} runs {})", row.trouble.size(), study_.seeds.size(),
+                        row.trouble.front());
+  line += " | ";
   const double all = reference().seconds.empty() ? 0 : reference().mean_seconds();
   line += fmt::format("{:.3g} | {:.2g} | {:.2g} | ", row.mean_seconds(), mean_of(row.steps),
                       all / row.mean_seconds());
@@ -100,13 +115,10 @@ std::string StudyReport::line(const Row& row) const {
     if (!j.known)
       line += "- | ";
     else if (&row == &reference())
-      line += fmt::format("±{} | ", percent(j.noise));
+      line += fmt::format("± {} | ", percent(j.noise));
     else
       line += told(j) + " | ";
   }
-  if (!row.trouble.empty())
-    line += fmt::format("{} of {} runs {}", row.trouble.size(), study_.seeds.size(),
-                        row.trouble.front());
   return line + "\n";
 }
 
@@ -127,10 +139,11 @@ std::string StudyReport::line_of_means(const Row& row) const {
 
 std::string StudyReport::table() const {
   std::string text = fmt::format(
-      "Errors against `{}`, seeds {}. Its own line shows the noise: what two such means over the "
-      "seeds differ by at most, in 19 of 20 cases, if only chance tells them apart; below it stand "
-      "its means, angles in degrees, all else in SI units. Errors beyond the noise of the two are "
-      "bold; the others are none.\n\n",
+      "Errors against `{}`, seeds {}, paired by seed. Behind ± stands the noise: what the mean of "
+      "such pairs is off by at most, in 19 of 20 cases, if only chance tells them apart; in the "
+      "line of the reference, what two means of seeds of their own would be. Below it stand its "
+      "means, angles in degrees, all else in SI units. Errors beyond the noise are bold; the "
+      "others are none.\n\n",
       study_.reference, fmt::join(study_.seeds, ", "));
   if (of_other_builds_ > 0)
     text +=
@@ -158,7 +171,7 @@ void StudyReport::record(const std::string& path) const {
   for (const Row& row : rows_) {
     if (row.seconds.empty()) continue;
     const std::string in = "/settings/" + row.setting->word + '/';
-    recorder.write(in + "seeds", row.seeds, "1");
+    recorder.write(in + "seeds", std::vector<double>(row.seeds.begin(), row.seeds.end()), "1");
     recorder.write(in + "seconds", row.seconds, "s");
     recorder.write(in + "steps", row.steps, "1");
     for (std::size_t q = 0; q < interest_.quantities.size(); ++q) {
@@ -168,7 +181,7 @@ void StudyReport::record(const std::string& path) const {
       recorder.write(of + "error", std::vector{j.error}, "1");
       recorder.write(of + "noise", std::vector{j.noise}, "1");
       for (std::size_t k = 0; k < row.found.size(); ++k)
-        recorder.write(of + fmt::format("seed_{:.0f}", row.seeds[k]), row.found[k][q],
+        recorder.write(of + fmt::format("seed_{}", row.seeds[k]), row.found[k][q],
                        "as history/" + interest_.quantities[q].column);
     }
   }

@@ -26,7 +26,7 @@ class StudyReport {
  private:
   struct Row {
     const Setting* setting;
-    std::vector<double> seeds;           // of the runs that finished
+    std::vector<int> seeds;              // of the runs that finished
     std::vector<double> seconds, steps;  // of the same; seconds of a processor
     std::vector<Found> found;            // of the same
     std::vector<std::string> trouble;    // of those that did not

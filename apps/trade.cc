@@ -4,16 +4,19 @@
 #include <unistd.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <thread>
 
 #include "apps/errors.h"
+#include "apps/folder_lock.h"
 #include "apps/program.h"
 #include "apps/progress.h"
 #include "apps/study.h"
 #include "apps/study_report.h"
 #include "apps/study_runs.h"
+#include "apps/text.h"
 #include "apps/whole_file.h"
 
 namespace {
@@ -55,13 +58,25 @@ std::vector<apps::StudyRun> runs_of(const apps::Study& study, const std::string&
   return runs;
 }
 
-void trade(const Options& options) {
+// A folder is that of one study, known by its name.
+void claim(const std::string& out, const apps::Study& study) {
+  const std::string name = std::filesystem::path(study.path).filename(), file = out + "/study";
+  const std::string found = apps::read_text(file).value_or(name);
+  if (found != name)
+    throw apps::OutputError(out + ": expected a folder without another study, found that of " +
+                            found + "; choose another --out");
+  apps::write_whole_file(file, name);
+}
+
+int trade(const Options& options) {
   const double tolerance = tolerance_of(options.tolerance);
   const apps::Study study = apps::read_study(options.study, options.overrides);
   std::vector<apps::StudyRun> runs = runs_of(study, options.out);
   const std::vector<std::string> objections = apps::objections(runs);
   if (!objections.empty()) throw apps::InputError(objections);
-  if (options.check) return;
+  if (options.check) return apps::ok;
+  const apps::FolderLock lock(options.out);
+  claim(options.out, study);
   apps::Progress progress(std::cout, isatty(STDOUT_FILENO), options.quiet);
   apps::carry_out(runs, options.processes, [&](std::size_t over) {
     progress.report(static_cast<double>(over) / static_cast<double>(runs.size()),
@@ -73,6 +88,8 @@ void trade(const Options& options) {
   report.record(options.out + "/study.h5");
   std::cout << report.table();
   if (tolerance > 0) std::cout << '\n' << report.cheapest(tolerance) << '\n';
+  const bool any = std::ranges::any_of(runs, &apps::StudyRun::finished);
+  return any ? apps::ok : apps::numerical_trouble;
 }
 
 }  // namespace
@@ -99,8 +116,5 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? apps::ok : apps::bad_input;
   }
-  return apps::exit_status_of([&] {
-    trade(options);
-    return static_cast<int>(apps::ok);
-  });
+  return apps::exit_status_of([&] { return trade(options); });
 }

@@ -18,48 +18,6 @@ Eigen::Map<const Eigen::VectorXd> letters(const dem::SurfaceField& field) {
 
 }  // namespace
 
-std::vector<double> hoop_stress_at_nodes(const fem::ElasticBody& body,
-                                         const dem::SurfaceField& field,
-                                         const Eigen::VectorXd& forces) {
-  // Spread between the nodes: steel is compressed below a force that stands on a point, where the
-  // same force as a pressure stretches it.
-  const auto traction = [&](const Eigen::Vector3d& x) {
-    const dem::Stencil near = field.stencil({x.x(), x.y(), x.z()});
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (std::size_t k = 0; k < near.node.size(); ++k)
-      sum += near.weight[k] / field.area[near.node[k]] * forces.segment<3>(3 * near.node[k]);
-    return sum;
-  };
-  const fem::StressField stress = body.stress(body.solve(body.face_load(traction)).col(0));
-  std::vector<double> hoop;
-  for (const dem::Vec3d& x : field.node) {
-    Eigen::Index nearest;
-    (body.nodes().colwise() - Eigen::Vector3d(x.x, x.y, x.z))
-        .colwise()
-        .squaredNorm()
-        .minCoeff(&nearest);
-    const double r = std::hypot(x.x, x.y), c = x.x / r, s = x.y / r;
-    hoop.push_back(s * s * stress(0, nearest) + c * c * stress(1, nearest) -
-                   2 * s * c * stress(5, nearest));
-  }
-  return hoop;
-}
-
-Eigen::Matrix3Xd gauge_influence(const fem::ElasticBody& body, const dem::SurfaceField& field,
-                                 const GaugeScene& gauge, double outer_radius) {
-  const double half = 0.5 * gauge.length / outer_radius;
-  const auto place = [&](double angle) {
-    return Eigen::Vector3d(outer_radius * std::cos(angle), outer_radius * std::sin(angle),
-                           gauge.height);
-  };
-  const Eigen::VectorXd answer =
-      body.solve(body.gauge(place(gauge.angle - half), place(gauge.angle + half))).col(0);
-  Eigen::Matrix3Xd nodes(3, field.size());
-  for (std::size_t n = 0; n < field.size(); ++n)
-    nodes.col(static_cast<Eigen::Index>(n)) << field.node[n].x, field.node[n].y, field.node[n].z;
-  return body.face_displacement(answer, nodes);
-}
-
 WallOutputs::WallOutputs(const GyratoryScene& scene, const Machine& machine)
     : gauges_(scene.gauges), maps_(scene.maps), machine_(machine) {
   elastic_[mould] = scene.mould.elastic.has_value();
@@ -81,8 +39,7 @@ std::vector<Column> WallOutputs::columns(const GyratoryScene& scene) {
   return columns;
 }
 
-void WallOutputs::begin(std::vector<dem::Wall>& walls,
-                        const std::optional<SteelPart>& steel_mould) {
+void WallOutputs::begin(std::vector<dem::Wall>& walls, const SteelPart* steel_mould) {
   dem::Wall& ring = walls[mould];
   if (maps_ && !ring.field) {
     constexpr int rows = 8, sectors = 24;  // of the specimen, as it stands now
@@ -90,12 +47,9 @@ void WallOutputs::begin(std::vector<dem::Wall>& walls,
         dem::CylinderGrid{machine_.mould_radius, walls[head].frame.origin.z, rows, sectors});
     rigid_letterbox_ = true;
   }
-  if (steel_mould) {
-    const double outside = steel_mould->body().nodes().topRows(2).colwise().norm().maxCoeff();
+  if (steel_mould)
     for (const GaugeScene& gauge : gauges_)
-      influence_.push_back(
-          gauge_influence(steel_mould->body(), *ring.field, gauge, outside).reshaped());
-  }
+      influence_.push_back(steel_mould->gauge_influence(*ring.field, gauge));
   if (maps_ || !influence_.empty())
     row_impulse_ = gyration_impulse_ =
         Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(ring.field->size()));
@@ -159,8 +113,8 @@ std::vector<double> WallOutputs::row() {
   return row;
 }
 
-void WallOutputs::turn(double gyration, const dem::Wall& mould_wall,
-                       const std::optional<SteelPart>& steel_mould, Recorder& recorder) {
+void WallOutputs::turn(double gyration, const dem::Wall& mould_wall, const SteelPart* steel_mould,
+                       Recorder& recorder) {
   constexpr double rounding = 1e-6;  // of a time that is a sum of steps
   if (!maps_) return;
   if (turns_ >= 0) {
@@ -175,12 +129,10 @@ void WallOutputs::turn(double gyration, const dem::Wall& mould_wall,
   gyration_span_ = 0;
 }
 
-void WallOutputs::add_map(const dem::SurfaceField& field,
-                          const std::optional<SteelPart>& steel_mould) {
+void WallOutputs::add_map(const dem::SurfaceField& field, const SteelPart* steel_mould) {
   const Eigen::VectorXd forces = gyration_impulse_ / gyration_span_;
   if (steel_mould)
-    std::ranges::copy(hoop_stress_at_nodes(steel_mould->body(), field, forces),
-                      std::back_inserter(map_.hoop));
+    std::ranges::copy(steel_mould->hoop_stress(field, forces), std::back_inserter(map_.hoop));
   for (std::size_t n = 0; n < field.size(); ++n) {
     const dem::Vec3d& x = field.node[n];
     const auto force = forces.segment<3>(3 * static_cast<Eigen::Index>(n));

@@ -9,7 +9,6 @@
 #include <Eigen/Dense>
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,9 +27,9 @@ class WallOutputs {
 
   static std::vector<Column> columns(const GyratoryScene& scene);
 
-  // To be called once the steel is there. A map of a rigid mould needs a letterbox, which its wall
-  // is given here.
-  void begin(std::vector<dem::Wall>& walls, const std::optional<SteelPart>& steel_mould);
+  // To be called once the steel is there, if it is elastic. A map of a rigid mould needs a
+  // letterbox, which its wall is given here.
+  void begin(std::vector<dem::Wall>& walls, const SteelPart* steel_mould);
 
   // To be called after every time step, before letterboxes are emptied.
   // `power(part)`: of the stones on a bent face [W], asked for now and then.
@@ -63,8 +62,8 @@ class WallOutputs {
 
   std::vector<double> row();  // means since the last row, one value per column
   // Maps each gyration once it is done; `gyration` counts from the end of the dwell.
-  void turn(double gyration, const dem::Wall& mould_wall,
-            const std::optional<SteelPart>& steel_mould, Recorder& recorder);
+  void turn(double gyration, const dem::Wall& mould_wall, const SteelPart* steel_mould,
+            Recorder& recorder);
 
  private:
   static constexpr int residual_interval = 100;  // steps
@@ -84,7 +83,7 @@ class WallOutputs {
 
   void add_up(std::vector<dem::Wall>& walls, double dt, double specimen_height);
   void compare_sides(const dem::Wall& wall, int part, double dt, double power_of_stones);
-  void add_map(const dem::SurfaceField& field, const std::optional<SteelPart>& steel_mould);
+  void add_map(const dem::SurfaceField& field, const SteelPart* steel_mould);
   void write(Recorder& recorder) const;
 
   std::vector<GaugeScene> gauges_;
@@ -101,16 +100,5 @@ class WallOutputs {
   Map map_;
   std::int64_t looks_ = 0;
 };
-
-// How forces at the nodes of a mould's letterbox (3, nodes) strain a gauge [1/N]: the full body, by
-// Maxwell's reciprocity one solution per gauge.
-Eigen::Matrix3Xd gauge_influence(const fem::ElasticBody& body, const dem::SurfaceField& field,
-                                 const GaugeScene& gauge, double outer_radius);
-
-// Hoop stress of a mould's inner face at the nodes of its letterbox, by the full body [Pa], under
-// forces at these nodes (3 each) [N] that stand for a traction between them.
-std::vector<double> hoop_stress_at_nodes(const fem::ElasticBody& body,
-                                         const dem::SurfaceField& field,
-                                         const Eigen::VectorXd& forces);
 
 }  // namespace apps

@@ -72,6 +72,10 @@ int validate(const Options& options) {
     rows.insert(rows.end(), report.rows.begin(), report.rows.end());
     pass = pass && report.pass();
   }
+  if (rows.empty())
+    throw apps::InputError(
+        {"--refined: expected a case without stones, found none; with them the "
+         "mesh is not the question"});
   if (options.json) std::cout << apps::as_json(rows);
   return pass ? apps::ok : a_row_fails;
 }
@@ -110,6 +114,8 @@ int main(int argc, char** argv) {
               << "; give one of the two\n";
     return apps::bad_input;
   }
-  if (options.all) options.cases = shipped_cases();
-  return apps::exit_status_of([&] { return validate(options); });
+  return apps::exit_status_of([&] {
+    if (options.all) options.cases = shipped_cases();
+    return validate(options);
+  });
 }

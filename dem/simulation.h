@@ -13,6 +13,7 @@
 #include "dem/neighbor_list.h"
 #include "dem/pair_contacts.h"
 #include "dem/state.h"
+#include "dem/step_bound.h"
 #include "dem/time_step.h"
 #include "dem/trouble.h"
 #include "dem/wall.h"
@@ -87,7 +88,9 @@ class Simulation {
   void stop_at_wall_not_finite() const;
   void refresh_neighbors();
   void find_forces(double dt, bool check);
-  void inspect(const Extremes& pair, const std::vector<WallExtremes>& walls);
+  void inspect(const Extremes& at_pairs, const std::vector<WallExtremes>& at_walls);
+  void stop_at_deep_overlap(const Extremes& at_pairs,
+                            const std::vector<WallExtremes>& at_walls) const;
   void set_time_step(double dt);  // of the laws, 0 for a jump [s]
 
   Settings settings_;
@@ -230,49 +233,32 @@ void Simulation<Law>::set_time_step(double dt) {
 }
 
 template <ContactLaw Law>
-void Simulation<Law>::inspect(const Extremes& pair, const std::vector<WallExtremes>& at_walls) {
-  const auto stone_of = [&](std::int32_t place) { return stones_.id[place]; };
-  constexpr double around_a_stone = 12, skins_a_step = 2;
-  double rate = pair.rate;
-  std::string limiting;
-  if (pair.rate_slot >= 0 && rate > 0)
-    limiting = "stones " + std::to_string(stone_of(pairs_.first(pair.rate_slot))) + " and " +
-               std::to_string(stone_of(pairs_.second(pair.rate_slot)));
-  if (pair.overlap > settings_.largest_overlap)
-    throw NumericalTrouble("stone overlap / radius", stone_of(pairs_.first(pair.overlap_slot)),
-                           time_, pair.overlap);
+void Simulation<Law>::inspect(const Extremes& at_pairs, const std::vector<WallExtremes>& at_walls) {
+  stop_at_deep_overlap(at_pairs, at_walls);
+  StepBound bound = bound_by_stones(pairs_, at_pairs, stones_);
+  const double until_next = check_interval * clock_.step();
   for (std::size_t w = 0; w < walls_.size(); ++w) {
-    const auto& at = at_walls[w];
-    if (at.overlap_slot >= 0 && at.overlap > settings_.largest_overlap)
-      throw NumericalTrouble("stone overlap with wall " + walls_[w].name + " / radius",
-                             stone_of(wall_contacts_[w].stones[at.overlap_slot]), time_,
-                             at.overlap);
-    if (at.rate > rate) {
-      rate = at.rate;
-      limiting = "stone " + std::to_string(stone_of(wall_contacts_[w].stones[at.rate_slot])) +
-                 " at wall " + walls_[w].name;
-    }
-    const auto* ram = std::get_if<Ram>(&walls_[w].motion);
-    if (!ram) continue;
-    // A ram bears all of them at once, a stone some twelve, of which the stiffest is asked.
-    const double borne = at.stiffness / ram->inertia / around_a_stone;
-    if (borne > rate) {
-      rate = borne;
-      limiting = "wall " + walls_[w].name + " on its stones";
-    }
-    // Nor does a ram with a valve come far in a single step, at the speed that it may have until
-    // the next look.
-    if (!std::isfinite(ram->valve_speed)) continue;
-    const double fastest =
-        ram->fastest(norm(walls_[w].frame.velocity), check_interval * clock_.step());
-    const double hasty = settings_.safety * fastest / (skins_a_step * settings_.skin);
-    if (hasty * hasty > rate) {
-      rate = hasty * hasty;
-      limiting = "the speed of wall " + walls_[w].name;
-    }
+    bound.meet(bound_by_stones(wall_contacts_[w], at_walls[w], stones_, walls_[w]));
+    bound.meet(bound_by_load(walls_[w], at_walls[w].stiffness));
+    bound.meet(bound_by_speed(walls_[w], until_next, settings_.skin, settings_.safety));
   }
-  if (rate > 0) limiting_ = limiting;
-  if (clock_.look(rate)) set_time_step(clock_.step());
+  if (bound.rate > 0) limiting_ = bound.by;
+  if (clock_.look(bound.rate)) set_time_step(clock_.step());
+}
+
+template <ContactLaw Law>
+void Simulation<Law>::stop_at_deep_overlap(const Extremes& at_pairs,
+                                           const std::vector<WallExtremes>& at_walls) const {
+  const auto deep = [&](const Extremes& at) { return at.overlap > settings_.largest_overlap; };
+  if (deep(at_pairs))
+    throw NumericalTrouble("stone overlap / radius",
+                           stones_.id[pairs_.first(at_pairs.overlap_slot)], time_,
+                           at_pairs.overlap);
+  for (std::size_t w = 0; w < walls_.size(); ++w)
+    if (const WallExtremes& at = at_walls[w]; deep(at))
+      throw NumericalTrouble("stone overlap with wall " + walls_[w].name + " / radius",
+                             stones_.id[wall_contacts_[w].stones[at.overlap_slot]], time_,
+                             at.overlap);
 }
 
 template <ContactLaw Law>

@@ -25,4 +25,7 @@ struct Wall {
   double moved = 0;  // bound of its motion since its list of stones was made [m]
 };
 
+// Of a point from its face, bent or not [m], negative behind it.
+double distance_to(const Wall& wall, const Vec3d& point);
+
 }  // namespace dem

@@ -110,16 +110,9 @@ void WallContacts<Law>::find(const ParticleStore& particles, Wall& wall, double 
   stones.clear();
   std::vector<std::int32_t> previous;
   for (std::size_t k = 0; k < count; ++k) {
-    const Vec3d local = wall.frame.to_frame(particles.position[k] - wall.frame.origin);
-    const Nearest<double> nearest =
-        std::visit([&](const auto& surface) { return surface.nearest(local); }, wall.surface);
-    double distance = nearest.distance;
-    if (wall.field) {
-      const Stencil foot = wall.field->stencil(local - nearest.normal * distance);
-      distance -= dot(wall.field->displacement_at(foot), nearest.normal);
-    }
     const std::int32_t before = old_slot[old_index.empty() ? k : old_index[k]];
-    const bool near = distance < particles.outer_radius(k) + skin / 2 + 2 * leash[k].length;
+    const bool near = distance_to(wall, particles.position[k]) <
+                      particles.outer_radius(k) + skin / 2 + 2 * leash[k].length;
     if (!near && (before < 0 || !history.holds(before))) continue;
     stones.push_back(static_cast<std::int32_t>(k));
     previous.push_back(before);

@@ -1,6 +1,7 @@
 // What a run tells of its walls: signs, virtual gauges, and both sides of the letterbox.
 #include <gtest/gtest.h>
 
+#include "apps/steel_answers.h"
 #include "apps/wall_outputs.h"
 #include "tests/physics/coupling_bench.h"
 
@@ -32,7 +33,7 @@ TEST(wall_outputs, of_one_resting_stone_are_its_weight_pressing_down) {
   bed.add_wall(plate, law);
   bed.set_drag(0.05 / bed.time_step() / 20);
   apps::WallOutputs outputs(rigid_scene(), machine);
-  outputs.begin(bed.walls(), std::nullopt);
+  outputs.begin(bed.walls(), nullptr);
   for (int step = 0; step < 40000; ++step) {
     bed.step();
     if (step == 20000) outputs.row();

@@ -5,18 +5,16 @@ Each test is one run or two of a bed small enough to take seconds."""
 import json
 import os
 import re
-import shutil
 import subprocess
 import sys
 
 import h5py
 import numpy as np
-from small_runs import BIN, FLOW, RIGID, SCENES, SmallRuns, command, run_named_test, run_script
+from small_runs import FLOW, RIGID, SMALL, SmallRuns, command, run_named_test, run_script
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 import static_head
 
-SMALL = ["stones.count=150", "mould.diameter=36 mm", "gyration.ramp=0.5 s", "gyration.count=2"]
 STEEL = ["head.elastic.shaft_diameter=14 mm", "mould.elastic.modes=20"]
 
 
@@ -159,54 +157,6 @@ class Runs(SmallRuns):
             self.assertGreater(len(history["time"]), 100)
             self.assertGreater(np.min(np.diff(history["time"])), 0)
 
-    def test_mistakes_end_with_status_2_and_nothing_written(self):
-        folder = self.folder("never")
-        for program, scene, override in (
-                ("gyratory", None, "gyration.pressure=600 mm"),
-                ("gyratory", None, "stones.count=5000"),
-                ("gyratory", None, "gyration.presure=1"),
-                ("gyratory", "missing.toml", "run.seed=2"),
-                ("flow_test", None, "stones.count=5")):
-            done = subprocess.run(command(program, folder, [override], scene=scene),
-                                  capture_output=True, text=True)
-            self.assertEqual(done.returncode, 2, override)
-            self.assertIn("expected", done.stderr)
-            self.assertFalse(os.path.exists(folder))
-
-    def test_check_reports_eight_mistakes_in_eight_lines(self):
-        # Where each mistake stands: line and column of the value, or of a key that is itself wrong.
-        with open(self.folder("sieves.csv"), "w") as file:
-            file.write("sieve_mm,passing_percent\n2,25\n8,57\n16,100\n")
-        scene = self.folder("scene.toml")
-        with open(scene, "w") as file:
-            file.write("""[stones]
-count = 450.5
-gradation = "sieves.csv"
-yuong = "74 GPa"
-poisson = 0.5
-[binder]
-content = "6.6 %"
-temperature = "130 degC"
-[mould]
-diameter = "50 kg"
-[gyration]
-pressure = 600 kPa
-speed = "0.5 revs/s"
-[head.elastik]
-modes = 20
-""")
-        done = subprocess.run([os.path.join(BIN, "gyratory"), scene, "--check"],
-                              capture_output=True, text=True)
-        self.assertEqual(done.returncode, 2)
-        expected = [("2:9", "whole number"), ("4:1", "\"stones.young\"?"), ("5:11", "below 0.5"),
-                    ("8:15", "110 degC or 150 degC"), ("10:12", "50 kg"), ("12:12", "quotes"),
-                    ("13:9", "unknown unit"), ("14:1", "\"head.elastic\"?")]
-        lines = done.stderr.splitlines()
-        self.assertEqual(len(lines), len(expected), done.stderr)
-        for line, (place, words) in zip(lines, expected):
-            self.assertTrue(line.startswith(f"{scene}:{place}: expected "), line)
-            self.assertIn(words, line)
-
     def test_check_says_what_the_run_will_be(self):
         # The estimate of the steps against the run itself: a factor of three is promised.
         scene = SMALL + RIGID + ["gyration.count=0.5"]
@@ -220,96 +170,6 @@ modes = 20
         self.assertIn("quasi-static", told)
         self.assertIn("warning: the mould is small for the largest stone", told)
         self.assertFalse(os.path.exists("unused"))
-
-    def test_the_described_scene_and_the_schema_are_those_of_the_reader(self):
-        for program in ("gyratory", "flow_test"):
-            ask = lambda option: subprocess.run([os.path.join(BIN, program), option], check=True,
-                                                capture_output=True, text=True).stdout
-            scene = self.folder(program + ".toml")
-            with open(scene, "w") as file:
-                file.write(ask("--describe"))
-            for name in os.listdir(os.path.join(SCENES, "gradations")):
-                os.makedirs(self.folder("gradations"), exist_ok=True)
-                shutil.copy(os.path.join(SCENES, "gradations", name),
-                            self.folder("gradations"))
-            done = subprocess.run([os.path.join(BIN, program), scene, "--check", "--quiet"],
-                                  capture_output=True, text=True)
-            self.assertNotIn("known", done.stderr)  # its sizes need not fit each other
-            self.assertIn("stones", json.loads(ask("--schema"))["properties"])
-
-    def test_the_described_case_of_the_steel_is_one_of_theirs(self):
-        # As it stands, what the program says of a case is Lame's cylinder; every key is in it.
-        line = [os.path.join(BIN, "wall_stress"), "--describe"]
-        told = subprocess.run(line, check=True, capture_output=True, text=True).stdout
-        for key in ("kind", "inner_diameter", "shaft_length", "harmonic", "refinement", "modes"):
-            self.assertRegex(told, rf"(?m)^{key} = ")
-        case = self.folder("case.toml")
-        with open(case, "w") as file:
-            file.write(told)
-        done = subprocess.run([os.path.join(BIN, "wall_stress"), case, "--json"],
-                              capture_output=True, text=True)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertEqual(len(json.loads(done.stdout)["rows"]), 3)
-
-    def load_steel(self, case, *overrides):
-        line = [os.path.join(BIN, "wall_stress"), os.path.join(SCENES, "walls", case + ".toml"),
-                "--json"]
-        for override in overrides:
-            line += ["--set", override]
-        return subprocess.run(line, capture_output=True, text=True)
-
-    def test_a_case_of_the_steel_that_cannot_be_is_refused(self):
-        for case, override, words in (
-                ("point", "load.eccentricity=75 mm", r"load\.eccentricity a point on the plate"),
-                ("ovalling", "mould.height=115 mm", r"mould\.height .*plane strain.* 119 mm"),
-                ("one_stone", "stones.modes=100000", r"stones\.modes: .*fewer .*found 100000"),
-                ("column", "stones.modes=100000", r"stones\.modes: .*fewer .*found 100000")):
-            done = self.load_steel(case, override)
-            self.assertEqual(done.returncode, 2, done.stderr)
-            self.assertRegex(done.stderr, words)
-
-    def test_a_mould_of_the_least_height_is_in_plane_strain(self):
-        # 2 %, as of a tall one: of a mould as low as it may be, free ends take 1.4 %.
-        for wall, height in ((2, 61), (7.5, 119), (30, 254)):
-            done = self.load_steel("ovalling", f"mould.wall_thickness={wall} mm",
-                                   f"mould.height={height} mm")
-            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-
-    def test_a_column_without_wall_friction_is_in_balance(self):
-        # What should be nothing is, but for rounding, nothing against the wall's push.
-        done = self.load_steel("column", "stones.count=60", "stones.wall_friction=0")
-        rows = {row["quantity"]: row for row in json.loads(done.stdout)["rows"]}
-        for quantity in ("traction_resultant", "fe_reaction"):
-            self.assertTrue(rows[quantity]["pass"], rows[quantity])
-
-    def test_a_thin_wall_comes_to_rest_under_its_stone(self):
-        # Its slowest mode swings at 7 Hz, damped by 15 %: 1.3 s to 1e-4, the stone takes 0.5 s.
-        done = self.load_steel("one_stone", "mould.wall_thickness=2 mm")
-        approach = json.loads(done.stdout)["rows"][0]
-        self.assertEqual(approach["quantity"], "approach")
-        self.assertTrue(approach["pass"], approach)
-
-    def test_a_bed_that_stands_out_of_its_elastic_mould_is_refused(self):
-        # Lower than the specimen will be: at once; lower than the loose bed: when the head comes.
-        for height, words, seen in (("15 mm", "specimen", False), ("34 mm", "settled bed", True)):
-            folder = self.folder(height)
-            line = command("gyratory", folder, SMALL + [f"mould.elastic.height={height}"])
-            done = subprocess.run(line, capture_output=True, text=True)
-            self.assertEqual(done.returncode, 2, done.stderr)
-            self.assertRegex(done.stderr, rf"elastic\.height: expected .*{words}.*found {height}")
-            self.assertEqual(os.path.exists(os.path.join(folder, "results.h5")), seen)
-
-    def test_steel_that_cannot_be_is_refused(self):
-        gauge = 'output.gauge=[{angle="0 deg", height="12 mm", length="50 mm"}]'
-        for key, words in (
-                ("head.elastic.shaft_diameter=35.99 mm", r"shaft_diameter: .*thinner than the plate"),
-                ("head.elastic.modes=100000", r"modes: expected fewer .*found 100000; take fewer"),
-                (gauge, r"gauge: expected a gauge of at most 20\.03 mm.*found 50 mm")):
-            line = command("gyratory", self.folder("refused"), SMALL + [key])
-            line.remove("--quiet")  # which leaves out what the steel will cost
-            done = subprocess.run(line + ["--check"], capture_output=True, text=True)
-            self.assertEqual(done.returncode, 2, done.stderr)
-            self.assertRegex(done.stderr, words)
 
     def test_what_is_told_of_the_gyrations_begins_with_them_however_long_a_row_is(self):
         # Means of forces are those of the same steps, but for their last bits.
@@ -327,21 +187,6 @@ modes = 20
         for energy, some in (("0 J/mm2", False), ("0.01 J/mm2", True)):
             columns, _ = self.gyrate(energy.split()[0], RIGID + [f"binder.bond_energy={energy}"])
             self.assertEqual(bool(max(columns["bonds"]) > 0), some)
-
-    def test_a_crushed_bed_stops_with_status_3_naming_the_stone(self):
-        folder = self.folder("crushed")
-        scene = SMALL + RIGID + ["gyration.pressure=10 MPa", "numerics.largest_overlap=1e-3"]
-        done = subprocess.run(command("gyratory", folder, scene), capture_output=True, text=True)
-        self.assertEqual(done.returncode, 3)
-        self.assertRegex(done.stderr, r"stopped: stone \d+, time .* s: stone overlap")
-
-    def test_a_run_is_not_written_over(self):
-        folder = self.folder("kept")
-        line = command("flow_test", folder, ["flow.displacement=0.1 mm"])
-        subprocess.run(line, check=True)
-        again = subprocess.run(line, capture_output=True, text=True)
-        self.assertEqual(again.returncode, 4)
-        self.assertIn("expected a folder without a run, found one", again.stderr)
 
 
 if __name__ == "__main__":

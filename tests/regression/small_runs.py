@@ -9,6 +9,7 @@ BIN, SCENES = sys.argv[1], os.path.abspath(sys.argv[2])
 os.environ["OMP_WAIT_POLICY"] = "passive"  # tests run side by side: waiting threads must not spin
 
 SCENE_OF = {"gyratory": "gyratory_sma11_150C.toml", "flow_test": "flow_sma11_150C.toml"}
+SMALL = ["stones.count=150", "mould.diameter=36 mm", "gyration.ramp=0.5 s", "gyration.count=2"]
 RIGID = ["head.elastic=none", "mould.elastic=none"]
 FLOW = ["stones.count=130", "flow.length=50 mm", "flow.width=35 mm", "flow.height=30 mm",
         "flow.strip_length=15 mm", "flow.displacement=0.15 mm"]

@@ -25,6 +25,7 @@ TEST_F(Fidelity, gives_defaults_and_the_keys_of_the_scene_hold) {
   EXPECT_LT(reference.numerics.mass_scale, standard.numerics.mass_scale);
   EXPECT_FALSE(reference.numerics.selective_mass);
   EXPECT_FALSE(apps::FlowTestScene{}.numerics.selective_mass);
+  EXPECT_GT(apps::FlowTestScene{}.numerics.mass_scale, standard.numerics.mass_scale);
   ASSERT_TRUE(reference.mould.elastic);
   EXPECT_GT(reference.mould.elastic->modes, apps::ElasticMouldScene{}.modes);
   EXPECT_FALSE(reference.head.elastic);

@@ -124,5 +124,11 @@ TEST_F(PathCaseTest, restitution_is_for_dry_stones_that_do_not_break) {
               ElementsAre(HasSubstr("no restitution")));
 }
 
+TEST_F(PathCaseTest, an_overlap_beyond_the_smaller_radius_is_a_mistake) {
+  // A table in um: 50 of them, read as metres.
+  EXPECT_THAT(mistakes(pair_of_shells, "0,0,0\n1,50,0\n"),
+              ElementsAre(HasSubstr(":12:8: expected for path.file overlaps of at most 0.003 m")));
+}
+
 }  // namespace
 }  // namespace apps

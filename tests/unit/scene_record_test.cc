@@ -40,7 +40,7 @@ TEST_F(SceneRecord, of_a_binder_of_its_own_keeps_its_lists) {
 
 TEST_F(SceneRecord, names_every_default_and_no_absent_section) {
   const std::string record = apps::complete_scene(read(least));
-  EXPECT_THAT(record, HasSubstr("\nmass_scale = 3000\n"));
+  EXPECT_THAT(record, HasSubstr("\nmass_scale = 1000\n"));
   EXPECT_THAT(record, HasSubstr("\ngradation = \"gradation.csv\"\n"));
   EXPECT_THAT(record, Not(HasSubstr("[mould.elastic]")));
   EXPECT_THAT(record, Not(HasSubstr("restitution")));

@@ -101,44 +101,68 @@ TEST_F(StudyTest, knows_a_run_by_all_of_its_scene) {
   EXPECT_NE(all_of_scene(scene, {}), before);
 }
 
-TEST(study_errors, are_differences_of_means_over_the_size_of_the_reference) {
-  // Closed form: means 10 and 12, size 10: error 0.2; squares 2 and 0 of two runs each: deviation
-  // sqrt(2 / 2), noise t sqrt(1/2 + 1/2) / 10, with t of two degrees of freedom from a table.
-  const Judgement j = judge({{12}, {12}}, {{9}, {11}}, 0);
+TEST(study_errors, are_means_of_pairs_over_the_size_of_the_reference) {
+  // Closed form: differences 3 and 1, size 10: error 0.2; deviation sqrt(2), noise t / sqrt(2) of
+  // it, with t of one degree of freedom from a table.
+  const BySeed reference = {{1, {9}}, {2, {11}}};
+  const Judgement j = judge({{1, {12}}, {2, {12}}}, reference, 0);
   EXPECT_TRUE(j.known);
   EXPECT_NEAR(j.error, 0.2, 1e-15);
-  EXPECT_NEAR(j.noise, 4.30265 / 10, 1e-6);
+  EXPECT_NEAR(j.noise, 12.7062 / 10, 1e-5);
   EXPECT_EQ(j.sign, 1);
   EXPECT_FALSE(j.beyond());
-  EXPECT_EQ(judge({{6}}, {{9}, {11}}, 0).sign, -1);
-  EXPECT_FALSE(judge({{14}, {14}}, {{9}, {11}}, 0).beyond());
-  EXPECT_TRUE(judge({{15}, {15}}, {{9}, {11}}, 0).beyond());
+  EXPECT_EQ(judge({{1, {5}}, {2, {6}}}, reference, 0).sign, -1);
 }
 
-TEST(study_errors, count_the_scatter_of_both) {
+TEST(study_errors, that_all_seeds_share_are_told_however_these_scatter) {
+  const Judgement j = judge({{1, {1.5}}, {2, {20.5}}}, {{1, {1}}, {2, {20}}}, 0);
+  EXPECT_EQ(j.noise, 0);
+  EXPECT_TRUE(j.beyond());
+  EXPECT_GT(scatter({{1, {1}}, {2, {20}}}, 0).noise, 1);
+}
+
+TEST(study_errors, count_the_seeds_that_both_have) {
+  // By definition: the third seed of the reference has no partner, nor the fourth of the setting.
+  const BySeed reference = {{1, {10}}, {2, {10}}, {3, {1000}}};
+  EXPECT_NEAR(judge({{1, {11}}, {2, {11}}, {4, {0}}}, reference, 0).error, 0.1, 1e-15);
+  EXPECT_FALSE(judge({{1, {11}}, {4, {0}}}, reference, 0).known);
+}
+
+TEST(study_errors, do_not_lie_in_one_seed) {
   // One stone that breaks in one of six runs is chance, though it breaks in none of the reference.
-  const std::vector<std::vector<double>> none(6, {0}), one = {{0}, {0}, {1}, {0}, {0}, {0}};
+  BySeed none, one;
+  for (int seed = 1; seed <= 6; ++seed) none[seed] = one[seed] = {0};
+  one[3] = {1};
   EXPECT_NEAR(judge(one, none, 1).error, 1.0 / 6, 1e-15);
   EXPECT_FALSE(judge(one, none, 1).beyond());
 }
 
 TEST(study_errors, of_chance_alone_stay_inside_the_noise_in_19_of_20_cases) {
-  // 4000 studies of five and three seeds of normal numbers; the share scatters by 0.0034.
+  // 4000 studies of five seeds of normal numbers; the share scatters by 0.0034.
   std::mt19937 random(7);
   std::normal_distribution<double> normal(10, 1);
-  const auto runs = [&](int count) {
-    std::vector<std::vector<double>> found;
-    for (int k = 0; k < count; ++k) found.push_back({normal(random)});
+  const auto runs = [&] {
+    BySeed found;
+    for (int seed = 1; seed <= 5; ++seed) found[seed] = {normal(random)};
     return found;
   };
   int beyond = 0;
-  for (int k = 0; k < 4000; ++k) beyond += judge(runs(3), runs(5), 0).beyond();
+  for (int k = 0; k < 4000; ++k) beyond += judge(runs(), runs(), 0).beyond();
   EXPECT_NEAR(beyond / 4000.0, 0.05, 0.012);
+}
+
+TEST(study_errors, of_chance_alone_scatter_as_the_reference_says) {
+  // The same of two means of seeds of their own, whose scatter is that of the reference: 1 of 10.
+  // Closed form: t of ten degrees of freedom x sqrt(2 / 6) x the deviation 1, over the mean 10.
+  BySeed reference;
+  for (int seed = 1; seed <= 6; ++seed)
+    reference[seed] = {10 + std::sqrt(5.0 / 6) * (seed % 2 ? 1 : -1)};
+  EXPECT_NEAR(scatter(reference, 0).noise, 2.22814 * std::sqrt(2.0 / 6) / 10, 1e-6);
 }
 
 TEST(study_errors, of_curves_are_rms_over_their_points) {
   // Closed form: differences 3 and 4, reference 5 and 5.
-  const Judgement j = judge({{8, 9}}, {{5, 5}, {5, 5}}, 0);
+  const Judgement j = judge({{1, {8, 9}}, {2, {8, 9}}}, {{1, {5, 5}}, {2, {5, 5}}}, 0);
   EXPECT_NEAR(j.error, std::sqrt(12.5) / 5, 1e-15);
   EXPECT_EQ(j.noise, 0);
   EXPECT_EQ(j.sign, 0);
@@ -147,13 +171,15 @@ TEST(study_errors, of_curves_are_rms_over_their_points) {
 
 TEST(study_errors, are_told_in_parts_of_the_least_size_where_the_reference_is_small) {
   // Two broken stones more than none are two, not infinitely many times more.
-  EXPECT_EQ(judge({{2}}, {{0}, {0}}, 1).error, 2);
+  EXPECT_EQ(judge({{1, {2}}, {2, {2}}}, {{1, {0}}, {2, {0}}}, 1).error, 2);
 }
 
 TEST(study_errors, are_unknown_without_scatter_or_result) {
-  EXPECT_FALSE(judge({{1}}, {{1}}, 0).known);
-  EXPECT_FALSE(judge({}, {{1}, {2}}, 0).known);
-  EXPECT_FALSE(judge({{}}, {{1}, {2}}, 0).known);
+  EXPECT_FALSE(judge({{1, {1}}}, {{1, {1}}}, 0).known);
+  EXPECT_FALSE(judge({}, {{1, {1}}, {2, {2}}}, 0).known);
+  EXPECT_FALSE(judge({{1, {}}, {2, {}}}, {{1, {1}}, {2, {2}}}, 0).known);
+  EXPECT_FALSE(judge({{1, {}}, {2, {}}}, {{1, {}}, {2, {}}}, 0).known);
+  EXPECT_FALSE(scatter({{1, {1}}}, 0).known);
 }
 
 class StudyResults : public tests::RecorderTest {};

@@ -1,0 +1,34 @@
+// The steel of the program that knows no elastic one.
+#include <unistd.h>
+
+#include <cassert>
+#include <filesystem>
+
+#include "apps/errors.h"
+#include "apps/steel.h"
+
+namespace apps {
+
+Steel make_steel(const ElasticHeadScene&, const Machine&, const NumericsScene&, dem::Wall&) {
+  assert(false);  // use_elastic_program does not come back
+  return nullptr;
+}
+
+Steel make_steel(const ElasticMouldScene&, const Machine&, const NumericsScene&, dem::Wall&) {
+  assert(false);
+  return nullptr;
+}
+
+void use_elastic_program(const std::vector<std::string>& command_line) {
+  const std::string program =
+      std::filesystem::canonical("/proc/self/exe").parent_path() / "gyratory_elastic";
+  std::vector<char*> words;
+  for (const std::string& word : command_line) words.push_back(const_cast<char*>(word.c_str()));
+  words.push_back(nullptr);
+  execv(program.c_str(), words.data());
+  throw InputError({"head.elastic, mould.elastic: expected rigid steel, as " + program +
+                    " cannot be run, found elastic; configure with GYRATORY_WITH_FEM=ON, or set "
+                    "both to \"none\""});
+}
+
+}  // namespace apps

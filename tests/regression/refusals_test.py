@@ -1,0 +1,115 @@
+#!/usr/bin/python3
+"""What the programs refuse, and how they say it: refusals_test.py BIN_FOLDER SCENES_FOLDER TEST_NAME"""
+import json
+import os
+import shutil
+import subprocess
+
+from small_runs import BIN, RIGID, SCENES, SMALL, SmallRuns, command, run_named_test
+
+
+class Refusals(SmallRuns):
+    def test_mistakes_end_with_status_2_and_nothing_written(self):
+        folder = self.folder("never")
+        for program, scene, override in (
+                ("gyratory", None, "gyration.pressure=600 mm"),
+                ("gyratory", None, "stones.count=5000"),
+                ("gyratory", None, "gyration.presure=1"),
+                ("gyratory", "missing.toml", "run.seed=2"),
+                ("flow_test", None, "stones.count=5")):
+            done = subprocess.run(command(program, folder, [override], scene=scene),
+                                  capture_output=True, text=True)
+            self.assertEqual(done.returncode, 2, override)
+            self.assertIn("expected", done.stderr)
+            self.assertFalse(os.path.exists(folder))
+
+    def test_check_reports_eight_mistakes_in_eight_lines(self):
+        # Where each mistake stands: line and column of the value, or of a key that is itself wrong.
+        with open(self.folder("sieves.csv"), "w") as file:
+            file.write("sieve_mm,passing_percent\n2,25\n8,57\n16,100\n")
+        scene = self.folder("scene.toml")
+        with open(scene, "w") as file:
+            file.write("""[stones]
+count = 450.5
+gradation = "sieves.csv"
+yuong = "74 GPa"
+poisson = 0.5
+[binder]
+content = "6.6 %"
+temperature = "130 degC"
+[mould]
+diameter = "50 kg"
+[gyration]
+pressure = 600 kPa
+speed = "0.5 revs/s"
+[head.elastik]
+modes = 20
+""")
+        done = subprocess.run([os.path.join(BIN, "gyratory"), scene, "--check"],
+                              capture_output=True, text=True)
+        self.assertEqual(done.returncode, 2)
+        expected = [("2:9", "whole number"), ("4:1", "\"stones.young\"?"), ("5:11", "below 0.5"),
+                    ("8:15", "110 degC or 150 degC"), ("10:12", "50 kg"), ("12:12", "quotes"),
+                    ("13:9", "unknown unit"), ("14:1", "\"head.elastic\"?")]
+        lines = done.stderr.splitlines()
+        self.assertEqual(len(lines), len(expected), done.stderr)
+        for line, (place, words) in zip(lines, expected):
+            self.assertTrue(line.startswith(f"{scene}:{place}: expected "), line)
+            self.assertIn(words, line)
+
+    def test_the_described_scene_and_the_schema_are_those_of_the_reader(self):
+        for program in ("gyratory", "flow_test"):
+            ask = lambda option: subprocess.run([os.path.join(BIN, program), option], check=True,
+                                                capture_output=True, text=True).stdout
+            scene = self.folder(program + ".toml")
+            with open(scene, "w") as file:
+                file.write(ask("--describe"))
+            for name in os.listdir(os.path.join(SCENES, "gradations")):
+                os.makedirs(self.folder("gradations"), exist_ok=True)
+                shutil.copy(os.path.join(SCENES, "gradations", name),
+                            self.folder("gradations"))
+            done = subprocess.run([os.path.join(BIN, program), scene, "--check", "--quiet"],
+                                  capture_output=True, text=True)
+            self.assertNotIn("known", done.stderr)  # its sizes need not fit each other
+            self.assertIn("stones", json.loads(ask("--schema"))["properties"])
+
+    def test_a_bed_that_stands_out_of_its_elastic_mould_is_refused(self):
+        # Lower than the specimen will be: at once; lower than the loose bed: when the head comes.
+        for height, words, seen in (("15 mm", "specimen", False), ("34 mm", "settled bed", True)):
+            folder = self.folder(height)
+            line = command("gyratory", folder, SMALL + [f"mould.elastic.height={height}"])
+            done = subprocess.run(line, capture_output=True, text=True)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertRegex(done.stderr, rf"elastic\.height: expected .*{words}.*found {height}")
+            self.assertEqual(os.path.exists(os.path.join(folder, "results.h5")), seen)
+
+    def test_steel_that_cannot_be_is_refused(self):
+        gauge = 'output.gauge=[{angle="0 deg", height="12 mm", length="50 mm"}]'
+        for key, words in (
+                ("head.elastic.shaft_diameter=35.99 mm", r"shaft_diameter: .*thinner than the plate"),
+                ("head.elastic.modes=100000", r"modes: expected fewer .*found 100000; take fewer"),
+                (gauge, r"gauge: expected a gauge of at most 20\.03 mm.*found 50 mm")):
+            line = command("gyratory", self.folder("refused"), SMALL + [key])
+            line.remove("--quiet")  # which leaves out what the steel will cost
+            done = subprocess.run(line + ["--check"], capture_output=True, text=True)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertRegex(done.stderr, words)
+
+    def test_a_crushed_bed_stops_with_status_3_naming_the_stone(self):
+        folder = self.folder("crushed")
+        scene = SMALL + RIGID + ["gyration.pressure=10 MPa", "numerics.largest_overlap=1e-3"]
+        done = subprocess.run(command("gyratory", folder, scene), capture_output=True, text=True)
+        self.assertEqual(done.returncode, 3)
+        self.assertRegex(done.stderr, r"stopped: stone \d+, time .* s: stone overlap")
+
+    def test_a_run_is_not_written_over(self):
+        folder = self.folder("kept")
+        line = command("flow_test", folder, ["flow.displacement=0.1 mm"])
+        subprocess.run(line, check=True)
+        again = subprocess.run(line, capture_output=True, text=True)
+        self.assertEqual(again.returncode, 4)
+        self.assertIn("expected a folder without a run, found one", again.stderr)
+
+
+if __name__ == "__main__":
+    run_named_test(Refusals)
