@@ -20,25 +20,43 @@ FIRST = 0.5  # gyrations: before, the head still settles
 
 class Run:
     def __init__(self, path):
+        self.folder = path.parent
         with h5py.File(path) as file:
+            if "history/gyration" not in file:
+                sys.exit(f"{self.folder}: expected a run of gyratory, found one without gyrations; "
+                         "plot_run.py draws it")
             gyration = file["history/gyration"][:]
             counted = gyration > FIRST
             self.gyration = gyration[counted]
             self.density = 100 * (1 - file["history/air_voids"][:][counted])
+            self.last = gyration.max(initial=0)
 
     def slope(self, first):
+        if self.last <= FIRST:
+            sys.exit(f"{self.folder}: expected more than {FIRST:g} gyrations, found "
+                     f"{self.last:.3g}; draw it when it has more")
+        if not FIRST <= first < self.last:
+            sys.exit(f"{self.folder}: expected --from at least {FIRST:g} and below the "
+                     f"{self.last:.3g} gyrations of this run, found {first:g}; give --from "
+                     f"{max(FIRST, self.last / 2):.3g}")
         return slope.per_decade(self.gyration, self.density, first)
 
 
 def settings_of(folder):
     if (folder / "results.h5").exists():
         return {folder.resolve().name: [Run(folder / "results.h5")]}
-    found = {}
+    found, current = {}, None
+    if (folder / "study.h5").exists():
+        with h5py.File(folder / "study.h5") as file:
+            current = set(file.get("settings", ()))
     for path in sorted(folder.glob("runs/*/seed_*/results.h5")):
+        word = path.parent.parent.name
         if not (path.parent / "summary.json").exists():
             print(f"{path.parent}: left out, not at its end", file=sys.stderr)
-            continue
-        found.setdefault(path.parent.parent.name.replace("_", " "), []).append(Run(path))
+        elif current is not None and word not in current:
+            print(f"{path.parent}: left out, no setting of study.h5", file=sys.stderr)
+        else:
+            found.setdefault(word.replace("_", " "), []).append(Run(path))
     return found
 
 
@@ -66,14 +84,15 @@ def main():
     settings = settings_of(options.folder)
     if not settings:
         sys.exit(f"{options.folder}: expected results.h5 of a run, or finished runs/SETTING/seed_N of trade")
+    slopes_of = {name: [run.slope(options.first) for run in runs]
+                 for name, runs in settings.items()}
     with plt.rc_context(STYLE):
         figure = draw(settings, options.first)
         for ending in ("png", "svg"):
             figure.savefig(options.folder / f"densification.{ending}", dpi=110)
     print(f"| setting | runs | %Gmm per decade from gyration {options.first:g} | +- |")
     print("|---|---:|---:|---:|")
-    for name, runs in settings.items():
-        slopes = [run.slope(options.first) for run in runs]
+    for name, slopes in slopes_of.items():
         error = numpy.std(slopes, ddof=1) / len(slopes) ** 0.5 if len(slopes) > 1 else numpy.nan
         print(f"| {name} | {len(slopes)} | {numpy.mean(slopes):.2f} | {error:.2f} |")
     print(options.folder / "densification.png", file=sys.stderr)

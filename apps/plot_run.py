@@ -10,6 +10,7 @@ is drawn again while the run goes on: results.h5 is replaced as a whole every fe
 whoever opens it reads a complete file."""
 
 import argparse
+import fcntl
 import pathlib
 import sys
 import time
@@ -60,20 +61,37 @@ def draw_all(runs, out):
     return report
 
 
+def goes_on(folder):
+    """Whether a process holds the lock of the run."""
+    try:
+        with open(folder / "lock") as lock:
+            fcntl.flock(lock, fcntl.LOCK_SH | fcntl.LOCK_NB)
+    except FileNotFoundError:
+        return False
+    except BlockingIOError:
+        return True
+    return False
+
+
 def watch(folder, out, interval):
-    """Draws again whenever the run has recorded more, until it has left its summary."""
+    """Draws again whenever the run has recorded more, until it ends."""
     drawn = None
     while True:
+        running = goes_on(folder)
         finished = (folder / "summary.json").exists()
         try:
-            now = (folder / "results.h5").stat().st_mtime_ns
-            if now != drawn and draw_overview(Run(folder), out):
-                drawn = now
+            now = (folder / "results.h5").stat()
+            # Empty: the very first one is being written.
+            if now.st_size and now.st_mtime_ns != drawn and draw_overview(Run(folder), out):
+                drawn = now.st_mtime_ns
                 print(f"{time.strftime('%H:%M:%S')} {out}", flush=True)
         except FileNotFoundError:
             pass  # not yet
         if finished:
             return
+        if not running:
+            sys.exit(f"{folder}: expected a run that goes on or has finished, found neither; "
+                     f"start it, or go on with it by --resume {folder}")
         time.sleep(interval)
 
 
@@ -106,6 +124,12 @@ def main():
                          help="draw run.png again while the run goes on, looking every 5 s")
     chosen = options.parse_args()
     several = len(chosen.dirs) > 1
+    if chosen.live and several:
+        options.error(f"--live: expected one folder, found {len(chosen.dirs)}; "
+                      "watch each by itself")
+    if chosen.live and not chosen.dirs[0].is_dir():
+        options.error(f"{chosen.dirs[0]}: expected the folder of a run, found none; "
+                      "correct the path, or start the run first")
     out = chosen.out or (chosen.dirs[0] / "compared" if several else chosen.dirs[0])
     if chosen.out or several:
         out.mkdir(parents=True, exist_ok=True)

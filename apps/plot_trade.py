@@ -1,9 +1,11 @@
 #!/usr/bin/python3
 """Draws a study: plot_trade.py DIR leaves DIR/trade.png and .svg. On the left the worst error of
 each setting against its time, where it is beyond the noise of the seeds, hollow below all others where
-none is, and the front of those that nothing beats in both. On the right the errors by quantity."""
+none is, and the front of those that nothing beats in both and of which no run stopped. On the right
+the errors by quantity."""
 import argparse
 import pathlib
+import sys
 
 import h5py
 import matplotlib.pyplot as plt
@@ -15,8 +17,12 @@ from plots.style import BLUE, GREY, INK, RED, STYLE
 
 
 class Setting:
-    def __init__(self, name, group):
+    def __init__(self, name, group, runs):
+        finished = len(group["seeds"])
+        self.whole = finished == runs
         self.name = name.replace("_", " ")
+        if not self.whole:
+            self.name += f" ({finished} of {runs} runs)"
         self.seconds = numpy.mean(group["seconds"][:])
         known = {q: g for q, g in group.items() if isinstance(g, h5py.Group)}
         self.error = {q.replace("_", " "): g["error"][0] for q, g in known.items()}
@@ -26,10 +32,10 @@ class Setting:
 
 
 def front(settings):
-    """Those that no other is both faster and better than, from fast to slow."""
+    """Those whole ones that no other is both faster and better than, from fast to slow."""
     best, kept = numpy.inf, []
     for setting in sorted(settings, key=lambda s: s.seconds):
-        if setting.worst < best:
+        if setting.whole and setting.worst < best:
             best = setting.worst
             kept.append(setting)
     return kept
@@ -80,7 +86,7 @@ def draw_front(axes, settings):
 
 
 def draw_errors(axes, settings):
-    quantities = list(settings[0].error)
+    quantities = list(dict.fromkeys(q for s in settings for q in s.error))
     share = numpy.array([[s.error.get(q, numpy.nan) / max(s.noise.get(q, 0), 1e-12)
                           for q in quantities] for s in settings])
     axes.imshow(numpy.clip(share, 0, 3), cmap="Reds", vmin=0, vmax=3, aspect="auto")
@@ -101,16 +107,25 @@ def main():
     parser.add_argument("folder", type=pathlib.Path, help="of trade --out")
     folder = parser.parse_args().folder
     with h5py.File(folder / "study.h5") as file:
-        settings = [Setting(name, group) for name, group in file["settings"].items()]
+        groups = dict(file.get("settings", {}))
+        runs = max((len(group["seeds"]) for group in groups.values()), default=0)
+        settings = [Setting(name, group, runs) for name, group in groups.items()]
     settings.sort(key=lambda s: s.seconds)
+    judged = [s for s in settings if s.error]
+    if not judged:
+        sys.exit(f"{folder}: expected a setting with two seeds that the reference has finished "
+                 "too, found none; add seeds to the study and run trade again")
+    for s in settings:
+        if s not in judged:
+            print(f"{s.name}: left out on the left, no quantity of it is judged", file=sys.stderr)
     with plt.rc_context(STYLE):
         figure, (left, right) = plt.subplots(1, 2, figsize=(14, 0.25 * len(settings) + 4.5),
                                              width_ratios=(2, 3))
-        draw_front(left, settings)
+        draw_front(left, judged)
         draw_errors(right, settings)
         figure.draw_without_rendering()  # lays out, so that names can be measured
         figure.set_layout_engine("none")
-        name_points(left, settings)
+        name_points(left, judged)
         for ending in ("png", "svg"):
             figure.savefig(folder / f"trade.{ending}", dpi=110)
     print(folder / "trade.png")

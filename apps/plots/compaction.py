@@ -185,7 +185,8 @@ def filling(runs):
                           linewidth=0.8)
     axes[0].set_title("Height of the bed, ten highest stones")
     axes[0].set_ylabel("height [mm]")
-    axes[1].set_title("Kinetic energy (dashed: the head comes down)")
+    dashed = " (dashed: the head comes down)" if runs[0].gyratory else ""
+    axes[1].set_title("Kinetic energy" + dashed)
     axes[1].set_ylabel("energy [J]")
     for panel in axes:
         panel.set_xlabel("time from the beginning of the run [s]")

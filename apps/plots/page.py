@@ -32,7 +32,10 @@ FLOW = [("flow", "Flow test", compaction.flow,
          "As figure 3 of Olsson, Jelagin and Partl: pressure under the strip and rise of the ten "
          "highest points over the strip's displacement, which is divided by the height of the "
          "bed.")] + [entry for entry in GYRATORY
-                     if entry[0] in ("stones", "gradation", "energy", "filling", "budget")]
+                     if entry[0] in ("stones", "gradation", "energy")] + [
+    ("filling", "Filling", compaction.filling,
+     "The bed comes to rest under its weight, then the strip begins to press."),
+    ("budget", "Time", budget.budget, "")]
 OF_ONE = (walls.walls,)  # drawn of a run by itself only
 
 # The findings shown first, as far as a run has them: key, words, factor, form.

@@ -9,10 +9,10 @@ def with_bed(runs):
     return [run for run in runs if run.table("stones") and "x" in run.table("stones")]
 
 
-def size_classes(run):
-    """The sieves between which the stones lie [mm]."""
-    sieve = 1e3 * run.sieves()[0]
-    diameter = 2e3 * run.table("stones")["radius"]
+def size_classes(runs):
+    """The sieves between which the stones of all runs lie [mm]."""
+    sieve = 1e3 * np.unique(np.concatenate([run.sieves()[0] for run in runs]))
+    diameter = 2e3 * np.concatenate([run.table("stones")["radius"] for run in runs])
     low = max(0, np.searchsorted(sieve, diameter.min(), side="right") - 1)
     high = min(len(sieve), np.searchsorted(sieve, diameter.max(), side="left") + 1)
     return sieve[low:high]
@@ -23,7 +23,7 @@ def broken_diameters(run):
 
 
 def draw_fractures_by_size(axes, runs):
-    classes = size_classes(runs[0])
+    classes = size_classes(runs)
     width = 0.8 / len(runs)
     for k, run in enumerate(runs):
         broken, _ = np.histogram(broken_diameters(run), classes)
@@ -44,7 +44,7 @@ def draw_fractures_by_size(axes, runs):
 
 def draw_fractures_over_time(axes, runs):
     """Cumulated; of a run alone apart by size."""
-    classes = size_classes(runs[0])
+    classes = size_classes(runs)
     for run in runs:
         table = run.table("fractures")
         at, end = table["time"], run.columns["time"][-1]

@@ -2,6 +2,7 @@
 """What one gets to see of a run: looks_test.py BIN_FOLDER SCENES_FOLDER TEST_NAME
 
 Pictures for ParaView, plots, the page, and renderings, of beds small enough to take seconds."""
+import fcntl
 import os
 import re
 import signal
@@ -103,6 +104,7 @@ class Looks(SmallRuns):
         page, parts = self.page(*flows)
         self.assertEqual(parts, {"flow", "stones", "gradation", "filling", "budget"})
         self.assertTrue("uplift_lowest_m" in page and "seed = 2" in page)
+        self.assertNotIn("the head", page)
         gyratory = [self.run_scene("gyratory" + seed, TINY + RIGID + ["run.seed=" + seed])
                     for seed in ("1", "2")]
         _, parts = self.page(*gyratory)
@@ -126,6 +128,42 @@ class Looks(SmallRuns):
             self.assertGreater(len(file["filling/time"]), 1)
         _, parts = self.page(folder)
         self.assertEqual(parts, {"filling"})
+
+    def test_a_watch_ends_with_its_run(self):
+        # Whoever holds the lock is a run, here one whose first results are still empty.
+        folder = self.folder("run")
+        os.makedirs(folder)
+        open(os.path.join(folder, "results.h5"), "w").close()
+        with open(os.path.join(folder, "lock"), "w") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            script = os.path.join(SCENES, "..", "plot_run.py")
+            watch = subprocess.Popen(["/usr/bin/python3", script, folder, "--live", "0.1"],
+                                     stderr=subprocess.PIPE, text=True)
+            with self.assertRaises(subprocess.TimeoutExpired):
+                watch.wait(3)
+        words = watch.communicate(timeout=60)[1]
+        self.assertEqual(watch.returncode, 1)
+        self.assertIn("expected a run that goes on or has finished, found neither", words)
+        for folders, words in (([folder + "1"], "expected the folder of a run"),
+                               ([folder, folder], "expected one folder, found 2")):
+            refused = run_script("plot_run.py", *folders, "--live")
+            self.assertEqual(refused.returncode, 2)
+            self.assertIn(words, refused.stderr)
+
+    def test_classes_of_size_hold_the_stones_of_all_runs(self):
+        sys.path.insert(0, os.path.join(SCENES, ".."))
+        from types import SimpleNamespace
+
+        import numpy as np
+        from plots.stones import size_classes
+
+        def run(sieves, diameters):
+            return SimpleNamespace(sieves=lambda: (1e-3 * np.array(sieves), None),
+                                   table=lambda _: {"radius": 5e-4 * np.array(diameters)})
+
+        runs = [run([1, 4, 8, 16, 32], [9, 15]), run([1, 2, 4, 8], [3, 7])]
+        self.assertEqual(list(size_classes(runs[:1])), [8, 16])
+        self.assertEqual(list(size_classes(runs)), [2, 4, 8, 16])
 
     def test_a_run_is_rendered(self):
         from PIL import Image

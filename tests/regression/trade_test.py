@@ -5,6 +5,7 @@ import json
 import os
 import signal
 import subprocess
+import sys
 import time
 
 import h5py
@@ -142,9 +143,49 @@ mould.elastic.height = "46 mm"
         self.assertEqual(answer.returncode, 0, answer.stderr)
         self.assertIn("| a mix | 2 | 4.00 | 1.00 |", answer.stdout)
         self.assertTrue(os.path.exists(os.path.join(self.out, "densification.svg")))
-        empty = run_script("plot_densification.py", self.folder("empty"))
-        self.assertNotEqual(empty.returncode, 0)
-        self.assertEqual(len(empty.stderr.splitlines()), 1)
+        # Nor does one of a setting that the study has no longer.
+        with h5py.File(os.path.join(self.out, "study.h5"), "w") as file:
+            file.create_group("settings/another")
+        os.renames(os.path.join(self.out, "runs", "a_mix", "seed_1"),
+                   os.path.join(self.out, "runs", "another", "seed_1"))
+        answer = run_script("plot_densification.py", self.out)
+        self.assertNotIn("| a mix |", answer.stdout)
+        self.assertIn("| another | 1 | 3.00 | nan |", answer.stdout)
+        self.write_run("flow", "a_mix", 1, {"displacement": numpy.arange(50.0)})
+        for folder, words in (
+                (self.folder("empty"), "expected results.h5"),
+                (self.folder("flow"), "a_mix/seed_1: expected a run of gyratory"),
+                (self.out, "below the 20 gyrations of this run, found 20; give --from 10")):
+            refused = run_script("plot_densification.py", folder, "--from", "20")
+            self.assertNotEqual(refused.returncode, 0)
+            self.assertIn(words, refused.stderr.splitlines()[-1])
+
+    def test_a_study_is_drawn_as_far_as_it_is_judged(self):
+        os.makedirs(self.out)
+        study = os.path.join(self.out, "study.h5")
+        with h5py.File(study, "w") as file:
+            for name, seeds, seconds, error in (("whole", 3, 9, 0.2), ("in_part", 2, 5, 0.1),
+                                                ("unknown", 1, 1, None)):
+                file[f"settings/{name}/seeds"] = numpy.arange(seeds)
+                file[f"settings/{name}/seconds"] = numpy.full(seeds, seconds)
+                if error:
+                    file[f"settings/{name}/height/error"] = [error]
+                    file[f"settings/{name}/height/noise"] = [0.05]
+        answer = run_script("plot_trade.py", self.out)
+        self.assertEqual(answer.returncode, 0, answer.stderr)
+        self.assertRegex(answer.stderr, r"^unknown \(1 of 3 runs\): left out .*\n$")
+        with open(os.path.join(self.out, "trade.svg")) as file:
+            self.assertIn("in part (2 of 3 runs)", file.read())
+        sys.path.insert(0, os.path.join(SCENES, ".."))
+        from plot_trade import Setting, front
+        with h5py.File(study, "a") as file:
+            drawn = [Setting(name, file["settings"][name], 3) for name in ("whole", "in_part")]
+            self.assertEqual([setting.name for setting in front(drawn)], ["whole"])
+            for setting in file["settings"].values():
+                setting.pop("height", None)
+        refused = run_script("plot_trade.py", self.out)
+        self.assertNotEqual(refused.returncode, 0)
+        self.assertEqual(len(refused.stderr.splitlines()), 1)
 
     def write_densification(self, folder, gyration, air_voids):
         os.makedirs(folder)
