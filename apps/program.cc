@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 
 #include "apps/errors.h"
 #include "apps/run_folder.h"
 #include "apps/stop_signal.h"
+#include "apps/text.h"
 #include "dem/trouble.h"
 
 namespace apps {
@@ -143,6 +145,10 @@ bool is_finished(const Options& options) {
     return false;
   if (!options.quiet) std::cout << options.out << ": this run is finished (summary.json)\n";
   return true;
+}
+
+std::string build_of(const std::string& program) {
+  return std::to_string(std::hash<std::string>()(read_text(program).value_or("")));
 }
 
 Provenance provenance(const std::string& program, const Options& options,

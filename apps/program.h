@@ -44,6 +44,9 @@ void use_threads(const Options& options, int stones);
 // A run to be resumed that has its summary already; says so.
 bool is_finished(const Options& options);
 
+// By which two builds of a program are told apart.
+std::string build_of(const std::string& program);
+
 // Where a result comes from, as far as the program itself knows.
 Provenance provenance(const std::string& program, const Options& options,
                       const std::string& scene_text, int seed);

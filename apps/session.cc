@@ -37,13 +37,17 @@ Session::Session(const Options& options, const StoredScene& scene, const Provena
       began_{wall_clock(), processor_clock()} {
   const std::string results = folder_.file("results.h5");
   std::size_t rows = 0;
+  std::string build = build_;
   if (options.resume) checkpoint_ = checkpoints_.newest(tell);
   if (checkpoint_)
     take([&](Archive& item) {
+      item("build", build);
       item("rows", rows);
       item("wall_seconds", earlier_.wall);
       item("processor_seconds", earlier_.processor);
     });
+  if (build != build_)
+    tell(folder_.path() + ": begun by another build of the program; from here on it is this one's");
   if (options.resume && (checkpoint_ || has_results(results)))
     recorder_.emplace(results, std::move(columns), rows);
   else
@@ -87,6 +91,7 @@ void Session::write_checkpoint(const State& state) {
   Archive archive;
   std::size_t rows = recorder_->rows();
   Spent until_now = spent();
+  archive("build", build_);
   archive("rows", rows);
   archive("wall_seconds", until_now.wall);
   archive("processor_seconds", until_now.processor);

@@ -45,6 +45,7 @@ class Session {
 
   RunFolder folder_;
   Checkpoints checkpoints_;
+  std::string build_ = build_of("/proc/self/exe");
   std::optional<Archive> checkpoint_;  // that the run is continued from
   std::optional<Recorder> recorder_;
   int exceptions_ = std::uncaught_exceptions();

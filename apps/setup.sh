@@ -9,7 +9,7 @@ packages=(
   libhdf5-dev libhdf5-openmpi-dev
   libtomlplusplus-dev libudunits2-dev libudunits2-data libcli11-dev libfmt-dev nlohmann-json3-dev
   libgtest-dev libgmock-dev libbenchmark-dev librapidcheck-dev
-  python3 python3-numpy python3-h5py python3-matplotlib
+  python3 python3-numpy python3-h5py python3-matplotlib python3-scipy
   python3-vtk9 python3-pil xvfb xauth
 )
 

@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "apps/errors.h"
+#include "apps/program.h"
 #include "apps/stop_signal.h"
 #include "apps/text.h"
 #include "apps/whole_file.h"
@@ -23,9 +24,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// By which two builds of a program are told apart.
-std::string build_of(const std::string& program) {
-  return std::to_string(std::hash<std::string>()(read_text(program).value_or("")));
+// With that of the program which it hands elastic steel on to.
+std::string whole_build_of(const std::string& program) {
+  return build_of(program) + ' ' + build_of(program + "_elastic");
 }
 
 // Starts a process whose words on both channels go to a file.
@@ -80,7 +81,7 @@ class Fleet {
   bool launch(std::size_t k) {
     StudyRun& run = runs_[k];
     const Traces traces(run.folder);
-    const std::string build = build_of(run.command[0]);
+    const std::string build = whole_build_of(run.command[0]);
     const auto of_other_build = [&] { return read_text(traces.build).value_or(build) != build; };
     const bool stopped_by_other = fs::exists(traces.stopped) && of_other_build();
     if (read_text(traces.asked) != run.asked || stopped_by_other) traces.forget();

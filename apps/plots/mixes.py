@@ -1,6 +1,7 @@
 """The configurations of a study of the paper's mixes: what is measured of their runs, with its
 scatter over the seeds, and how they compare."""
 import numpy as np
+from scipy.stats import t as students_t
 
 from plots import slope
 from plots.run import Run
@@ -47,6 +48,22 @@ def stones_of(study):
     return next(iter(study.values())).runs[0].summary["stones"]
 
 
+def box(study):
+    """Length and width of a flow test's [m], none of gyrations."""
+    scene = next(iter(study.values())).runs[0].scene().get("flow", {})
+    return [scene[edge] for edge in ("length", "width") if edge in scene]
+
+
+def bed_height(run):
+    return run.summary["bed_height_m"]
+
+
+def contact_force(run):
+    """Mean of the normal forces of stones that press each other, at the end [N]."""
+    forces = run.table("contacts")["normal_force"]
+    return np.mean(forces[forces > 0])
+
+
 def broken(run):
     return run.columns["fractured"][-1]
 
@@ -59,9 +76,21 @@ def lowest(run):
     return 1e3 * np.min(run.columns["uplift"])
 
 
-def rise(run):
-    """Uplift from its lowest to the end [mm]."""
-    return uplift(run) - lowest(run)
+def uplift_at(run, share):
+    """Of the strip's way [mm]."""
+    way = run.columns["displacement"]
+    return 1e3 * np.interp(share * way[-1], way, run.columns["uplift"])
+
+
+def compression(run):
+    """How far the bed sinks over the first quarter of the strip's way, behind where the strip begins
+    to press [mm]: from there on its weight alone would not move it."""
+    return sinking(run) - uplift_at(run, 0.25)
+
+
+def late_rise(run):
+    """Uplift over the second half of the strip's way [mm]."""
+    return uplift(run) - uplift_at(run, 0.5)
 
 
 def sinking(run):
@@ -80,9 +109,9 @@ def pressure(run):
 
 
 def roughness(run):
-    """Of the pressure about its straight line, root mean square [% of its mean]."""
+    """Of the pressure about a smooth curve, a cubic, root mean square [% of its mean]."""
     way, felt = (run.columns[name][late(run)] for name in ("displacement", "pressure"))
-    return 100 * np.std(felt - np.polyval(np.polyfit(way, felt, 1), way)) / np.mean(felt)
+    return 100 * np.std(felt - np.polyval(np.polyfit(way, felt, 3), way)) / np.mean(felt)
 
 
 def per_decade(run):
@@ -125,8 +154,20 @@ def spread(values):
     return np.mean(values), error
 
 
+def sure(values):
+    """Their mean, and what it is off by in 1 of 20 cases (Student), nan of a single one."""
+    value, error = spread(values)
+    return value, error * students_t.ppf(0.975, max(len(values) - 1, 1))
+
+
 def mean(runs_of, of):
-    return spread(np.concatenate([mix.values(of) for mix in runs_of.values()]))
+    """Over the configurations, and how sure: runs of a seed begin with the same places, and count
+    as one."""
+    by_seed = {}
+    for mix in runs_of.values():
+        for run in mix.runs:
+            by_seed.setdefault(run.name, []).append(of(run))
+    return sure([np.mean(values) for values in by_seed.values()])
 
 
 def compare(runs_of, of, place, more, less, unit):
@@ -135,11 +176,10 @@ def compare(runs_of, of, place, more, less, unit):
     pairs = [paired(runs_of[key], runs_of[key[:place] + (less,) + key[place + 1:]], of)
              for key in runs_of if key[place] == more]
     one, other = (np.concatenate(side) for side in zip(*pairs))
-    apart, error = spread(one - other)
-    verdict = ("agrees" if apart > 2 * error else "against" if apart < -2 * error
-               else "not told apart")
-    return (f"{one.mean():.3g} against {other.mean():.3g} {unit}, apart by {apart:.2g} "
-            f"(+-{error:.2g})", verdict)
+    apart, error = sure(one - other)
+    verdict = "agrees" if apart > error else "against" if apart < -error else "not told apart"
+    return (f"{one.mean():.4g} against {other.mean():.4g} {unit}, apart by {apart:.3g} "
+            f"(+-{error:.3g})", verdict)
 
 
 def told(mix, of, digits):

@@ -4,12 +4,13 @@
 What goes on after trouble must end as an unbroken run, bit by bit."""
 import os
 import resource
+import shutil
 import signal
 import subprocess
 import time
 
 from broken_runs import RIGID, BrokenRuns
-from small_runs import command, run_named_test
+from small_runs import BIN, command, run_named_test
 
 
 class Faults(BrokenRuns):
@@ -54,6 +55,16 @@ class Faults(BrokenRuns):
         errors = self.run_to_end(self.resume(folder))
         self.assertEqual(errors.count("not taken"), 2)
         self.assert_same(folder, unbroken)
+
+    def test_another_build_goes_on_and_says_so(self):
+        folder = self.stopped_run("begun")
+        other = self.folder("gyratory")
+        shutil.copy(os.path.join(BIN, "gyratory"), other)
+        with open(other, "ab") as file:
+            file.write(b" ")
+        words = "begun by another build of the program"
+        self.assertIn(words, self.run_to_end([other] + self.resume(folder)[1:]))
+        self.assertNotIn(words, self.run_to_end(self.resume(self.stopped_run("own"))))
 
     def test_a_checkpoint_of_another_scene_is_refused(self):
         folder = self.stopped_run("one")

@@ -5,7 +5,8 @@ import os
 import shutil
 import subprocess
 
-from small_runs import BIN, RIGID, SCENES, SMALL, SmallRuns, command, run_named_test
+from small_runs import (BIN, RIGID, SCENE_OF, SCENES, SMALL, SmallRuns, command,
+                        run_named_test)
 
 
 class Refusals(SmallRuns):
@@ -82,6 +83,23 @@ modes = 20
             self.assertEqual(done.returncode, 2, done.stderr)
             self.assertRegex(done.stderr, rf"elastic\.height: expected .*{words}.*found {height}")
             self.assertEqual(os.path.exists(os.path.join(folder, "results.h5")), seen)
+
+    def test_what_is_read_is_not_written_over(self):
+        case = shutil.copy(os.path.join(SCENES, "paths", "pair.toml"), self.folder("pair.toml"))
+        own = self.folder("mix")
+        os.makedirs(own)
+        scene = shutil.copy(os.path.join(SCENES, SCENE_OF["flow_test"]),
+                            os.path.join(own, "scene.toml"))
+        for program, read, out in (("contact_path", case, case), ("flow_test", scene, own)):
+            with open(read) as file:
+                before = file.read()
+            line = [os.path.join(BIN, program), read, "--out", out]
+            overwrite = ["--overwrite"] * (program == "flow_test")
+            done = subprocess.run(line + overwrite, capture_output=True, text=True)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn("--out: expected a", done.stderr)
+            with open(read) as file:
+                self.assertEqual(file.read(), before)
 
     def test_steel_that_cannot_be_is_refused(self):
         gauge = 'output.gauge=[{angle="0 deg", height="12 mm", length="50 mm"}]'

@@ -39,6 +39,13 @@ class SteelCases(SmallRuns):
             self.assertEqual(done.returncode, 2, done.stderr)
             self.assertRegex(done.stderr, words)
 
+    def test_a_case_with_stones_has_no_finer_mesh_to_be_held_against(self):
+        line = [os.path.join(BIN, "wall_stress"), os.path.join(SCENES, "walls", "one_stone.toml"),
+                "--refined"]
+        done = subprocess.run(line, capture_output=True, text=True)
+        self.assertEqual(done.returncode, 2, done.stdout)
+        self.assertIn("--refined: expected a case without stones", done.stderr)
+
     def test_a_mould_of_the_least_height_is_in_plane_strain(self):
         # 2 %, as of a tall one: of a mould as low as it may be, free ends take 1.4 %.
         for wall, height in ((2, 61), (7.5, 119), (30, 254)):

@@ -3,6 +3,7 @@
 import itertools
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -65,7 +66,8 @@ class Trade(SmallRuns):
             self.assertGreater(min(same["seconds"]), 0)
             for quantity in ("pressure_curve", "pressure_peak", "uplift_end", "coordination"):
                 self.assertEqual(same[quantity]["error"][0], 0)
-                self.assertGreater(same[quantity]["noise"][0], 0)
+                self.assertEqual(same[quantity]["noise"][0], 0)
+                self.assertGreater(file["settings/fine"][quantity]["noise"][0], 0)
         # Called again it runs what is new only, and a changed setting; another build's run it tells.
         before = self.runs()
         with open(os.path.join(self.out, "runs/fine/seed_1.build"), "w") as file:
@@ -111,6 +113,25 @@ class Trade(SmallRuns):
                     self.assertNotEqual(file.read(), "another")
                 with open(build, "w") as file:
                     file.write("another")
+
+    def test_a_study_without_a_result_ends_with_status_3(self):
+        crushed = STUDY.replace('name = "fine"', 'name = "fine"\nnumerics.largest_overlap = 1e-9')
+        crushed = crushed.replace("safety = 0.2", "largest_overlap = 1e-9").replace(
+            "stones.count = 130", 'stones.count = 300\nbinder = "none"')
+        self.assertEqual(self.study(crushed).returncode, 3)
+
+    def test_a_folder_is_that_of_one_study(self):
+        self.assertEqual(self.study(STUDY).returncode, 0)
+        before = self.runs()
+        other = self.folder("other.toml")
+        shutil.copy(self.folder("study.toml"), other)
+        line = self.command(STUDY)
+        line[1] = other
+        answer = subprocess.run(line, capture_output=True, text=True)
+        self.assertEqual(answer.returncode, 4)
+        self.assertIn("expected a folder without another study, found that of study.toml",
+                      answer.stderr)
+        self.assertEqual(self.runs(), before)
 
     def test_a_run_that_refuses_its_scene_on_the_way_is_told(self):
         # The mould holds the specimen, not the loose bed: seen when the head comes down.
@@ -204,15 +225,16 @@ mould.elastic.height = "46 mm"
                 cold = degrees == 110
                 self.write_run("flow", name, seed, {
                     "displacement": 0.05 * time, "fractured": 0 * time,
-                    "uplift": time * ((1 + cold + 0.1 * seed) * 1e-3) - 2e-4 * (time < 0.5),
+                    "uplift": time * ((1 + cold + 0.1 * seed) * 1e-3) - 2e-3 * (time > 0.1)
+                    + 2e-3 * (time > 0.5),
                     "pressure": time * 2e5 * (1 - 0.5 * cold)})
                 gyratory = {"gyration": 2 * time, "fractured": 0 * time,
                             "air_voids": 0.3 - 0.01 * time,
                             "air_voids_decrease": 0.01 * time * (1 - 0.3 * cold),
                             "internal_angle": 1 + 0 * time, "mould_traction": 1e5 + 0 * time}
-                self.write_run("gyratory", name, seed, gyratory)
+                self.write_run("gyratory", name, seed, gyratory, 4 + 4 * cold)
                 if name.startswith("SMA_11_150_degC_6.6"):
-                    self.write_run("gyratory", name + "_rigid_steel", seed, gyratory)
+                    self.write_run("gyratory", name + "_rigid_steel", seed, gyratory, 4)
         # Of one mix a run stopped: left out, and told.
         stopped = os.path.join(self.folder("flow"), "runs", "AC_11_110_degC_5.4__", "seed_2")
         os.remove(os.path.join(stopped, "summary.json"))
@@ -228,9 +250,12 @@ mould.elastic.height = "46 mm"
         self.assertRegex(answer.stdout, r"decreasing temperature .* apart by 1 .* agrees")
         self.assertRegex(answer.stdout, r"decreasing binder .* apart by 0 .* not told apart")
         self.assertRegex(answer.stdout, r"A stiffer sample .* against \|")
+        self.assertRegex(answer.stdout, r"Initially .* \| agrees \| down: until a quarter")
         self.assertRegex(answer.stdout, r"up to 5 mm .* \+2.20 mm, .* \| against")
-        self.assertRegex(answer.stdout, r"noisy.* is 0 % .* \| against")
+        self.assertRegex(answer.stdout, r"noisy.* is 0.0 % .* \| against")
         self.assertRegex(answer.stdout, r"stiffer response .*1 against 0.7 %, .* \| agrees")
+        self.assertRegex(answer.stdout, r"contact forces .*8 against 4 N, .* \| agrees")
+        self.assertRegex(answer.stdout, r"internal angle .* \| not told apart")
         self.assertRegex(answer.stdout, r"AC 11, 110 degC, 6.6 % .* 2.15 \+- 0.05 ")
         self.assertIn("In a box of 150 x 100 mm; 2 seeds, `draft` with mass scale 1e4. Left out, "
                       "AC 11, 110 degC, 5.4 %, seed_2: stopped: stone 3.", answer.stdout)
@@ -242,16 +267,17 @@ mould.elastic.height = "46 mm"
         for picture in ("paper_flow_7.png", "paper_gyratory_7.png"):
             self.assertTrue(os.path.exists(os.path.join(self.out, picture)))
 
-    def write_run(self, study, setting, seed, columns):
+    def write_run(self, study, setting, seed, columns, force=1):
         folder = os.path.join(self.folder(study), "runs", setting, f"seed_{seed}")
         os.makedirs(folder)
         with h5py.File(os.path.join(folder, "results.h5"), "w") as file:
             for name, values in {"time": numpy.arange(50.0), **columns}.items():
                 file["history/" + name] = values
                 file["history/" + name].attrs["unit"] = "1"
+            file["contacts/normal_force"] = [-3, force - 0.1 * seed, force + 0.1 * seed]
             file.create_group("provenance")
         with open(os.path.join(folder, "summary.json"), "w") as file:
-            json.dump({"stones": 7, "air_voids_start": 0.3}, file)
+            json.dump({"stones": 7, "air_voids_start": 0.3, "bed_height_m": 0.1}, file)
         with open(os.path.join(folder, "scene.toml"), "w") as file:
             file.write('[run]\nfidelity = "draft"\n[numerics]\nmass_scale = 1e4\n')
             if study == "flow":
