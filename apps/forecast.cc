@@ -99,7 +99,7 @@ std::vector<std::string> forecast_lines(const BedForecast& told, const NumericsS
         numerics.mass_scale, std::max(1.0, most)));
   if (numerics.safety > nearly_unstable)
     lines.push_back(fmt::format(
-        "warning: numerics.safety = {:.2g} is near the limit of stability: energy may come from "
+        "warning: numerics.safety = {:.2g} is near or beyond the limit of stability: energy may come from "
         "nowhere; take {:.1f} or less",
         numerics.safety, nearly_unstable));
   if (told.widths < enough_widths)

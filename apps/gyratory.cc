@@ -9,6 +9,7 @@
 #include "apps/program.h"
 #include "apps/scene_manual.h"
 #include "apps/scene_record.h"
+#include "apps/steel.h"
 
 namespace {
 
@@ -31,7 +32,7 @@ void foretell(const apps::GyratoryScene& scene, const apps::Mix& mix, const apps
 
 void compact(const apps::Options& options) {
   const apps::GyratoryScene asked = apps::read_gyratory_scene(options.scene, options.overrides);
-  if (asked.head.elastic || asked.mould.elastic) apps::use_elastic_program(options.command_line);
+  apps::use_program_of(asked, options.command_line);
   const apps::GyratoryScene scene = apps::compressed(asked);
   const apps::Mix mix = apps::prepare_mix(scene.stones, scene.binder, scene.run.seed);
   const apps::Machine machine = apps::size_machine(scene, mix);

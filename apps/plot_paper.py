@@ -14,10 +14,10 @@ import time
 import matplotlib.pyplot as plt
 import numpy as np
 
-from plots.mixes import (Mix, bed_height, box, broken, compare, compression, contact_force, decrease, depth,
-                         internal_angle, late_rise, lowest, mean, mixes, name, paired, per_decade,
-                         pressure, roughness, sinking, stones_of, sure, told, traction, turns,
-                         uplift, voids_before)
+from plots.mixes import (Mix, bed_height, box, broken, compare, compression, contact_force, decrease,
+                         depth, difference, internal_angle, late_rise, lowest, mean, mixes, name,
+                         over_seeds, paired, per_decade, pressure, roughness, sinking,
+                         stones_of, told, traction, turns, uplift, voids_before)
 from plots.style import BLUE, GREY, RED, STYLE
 
 PAPER_BOX = 0.150, 0.100  # length and width [m], Olsson, Jelagin & Partl, section 3.2
@@ -25,10 +25,10 @@ STUDIES = pathlib.Path(__file__).parent / "scenes" / "studies"
 PREAMBLE = """# The paper's study, run and compared
 
 SMA 11 and AC 11, 110 and 150 degC, two binder contents each. Where two are compared, "agrees" and
-"against" are said if they differ by more than chance, pair by pair of a seed and a configuration
-(+-: what is exceeded in 1 of 20 cases, Student; of means over configurations a seed counts as one;
-in the tables of configurations +- is the standard error). Where the paper gives a number, the
-remark says what counts as agreeing. "In part": compression or uplift is more than chance, not both,
+"against" are said if they differ by more than chance: +- is what the mean is off by in 1 of 20
+cases (Student), where runs of a seed count as one, since they begin with the same places; in the
+tables of configurations it is the standard error. Where the paper gives a number, the remark says
+what counts as agreeing. "In part": compression or uplift is more than chance, not both,
 or the bed does not come above where it began.
 """
 
@@ -113,9 +113,9 @@ def steel_rows(study):
                             ("air-void decrease", "%", decrease),
                             ("traction of the mould", "kPa", traction),
                             ("broken stones", "-", broken)):
-        one, other = paired(elastic, rigid, of)
-        apart, error = sure(one - other)
-        yield (f"| {words} [{unit}] | {np.mean(one):.4g} | {np.mean(other):.4g} | {apart:+.2g} "
+        one, other = (over_seeds([values])[0] for values in paired(elastic, rigid, of))
+        apart, error = over_seeds([difference(elastic, rigid, of)])
+        yield (f"| {words} [{unit}] | {one:.4g} | {other:.4g} | {apart:+.2g} "
                f"| {error:.1g} | {'yes' if abs(apart) > error else 'not told apart'} |\n")
 
 

@@ -108,7 +108,7 @@ def main():
     folder = parser.parse_args().folder
     with h5py.File(folder / "study.h5") as file:
         groups = dict(file.get("settings", {}))
-        runs = max((len(group["seeds"]) for group in groups.values()), default=0)
+        runs = len(file["study/seeds"])
         settings = [Setting(name, group, runs) for name, group in groups.items()]
     settings.sort(key=lambda s: s.seconds)
     judged = [s for s in settings if s.error]

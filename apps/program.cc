@@ -95,14 +95,14 @@ bool same_place(const std::filesystem::path& one, const std::filesystem::path& o
   return std::filesystem::equivalent(one, other, error);
 }
 
-// What a program writes must not take the place of what it reads.
+// What a program writes must not take the place of the scene, or the case, that it is given.
 void expect_another_place(const Options& options) {
+  if (options.check || options.resume) return;
   const std::filesystem::path scene = std::filesystem::absolute(options.scene);
   if (same_place(scene, options.out))
     throw InputError({"--out: expected another file than the case, found " + options.out +
                       "; choose another name"});
-  if (!options.resume && same_place(scene.parent_path(), options.out) &&
-      scene.filename() == stored_scene_file)
+  if (same_place(scene.parent_path(), options.out) && scene.filename() == stored_scene_file)
     throw InputError(
         {"--out: expected a folder without the scene that is to be run, whose name is "
          "that of a run's own, found " +

@@ -10,7 +10,7 @@
 namespace apps {
 
 Steel make_steel(const ElasticHeadScene&, const Machine&, const NumericsScene&, dem::Wall&) {
-  assert(false);  // use_elastic_program does not come back
+  assert(false);  // use_program_of has not come back
   return nullptr;
 }
 
@@ -19,16 +19,18 @@ Steel make_steel(const ElasticMouldScene&, const Machine&, const NumericsScene&,
   return nullptr;
 }
 
-void use_elastic_program(const std::vector<std::string>& command_line) {
+void use_program_of(const GyratoryScene& scene, const std::vector<std::string>& command_line) {
+  if (!scene.head.elastic && !scene.mould.elastic) return;
   const std::string program =
       std::filesystem::canonical("/proc/self/exe").parent_path() / "gyratory_elastic";
   std::vector<char*> words;
   for (const std::string& word : command_line) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);
   execv(program.c_str(), words.data());
-  throw InputError({"head.elastic, mould.elastic: expected rigid steel, as " + program +
+  throw InputError({scene.where(scene.head.elastic ? "head.elastic" : "mould.elastic") +
+                    ": expected rigid steel, as " + program +
                     " cannot be run, found elastic; configure with GYRATORY_WITH_FEM=ON, or set "
-                    "both to \"none\""});
+                    "head.elastic and mould.elastic to \"none\""});
 }
 
 }  // namespace apps

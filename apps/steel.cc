@@ -179,6 +179,6 @@ Steel make_steel(const ElasticMouldScene& scene, const Machine& machine,
   return std::make_unique<ElasticPart>(scene, "mould.elastic", machine, numerics, wall);
 }
 
-void use_elastic_program(const std::vector<std::string>&) {}  // it is this one
+void use_program_of(const GyratoryScene&, const std::vector<std::string>&) {}  // it is this one
 
 }  // namespace apps

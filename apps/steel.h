@@ -59,8 +59,8 @@ Steel make_steel(const ElasticHeadScene& scene, const Machine& machine,
 Steel make_steel(const ElasticMouldScene& scene, const Machine& machine,
                  const NumericsScene& numerics, dem::Wall& wall);
 
-// For a scene that names elastic steel: goes on as the program that knows it, of that command line,
-// if this is not the one. Throws InputError where there is none.
-void use_elastic_program(const std::vector<std::string>& command_line);
+// Goes on, with that command line, as the program that knows the steel of the scene, if this one
+// does not. Throws InputError where there is none.
+void use_program_of(const GyratoryScene& scene, const std::vector<std::string>& command_line);
 
 }  // namespace apps

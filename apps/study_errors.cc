@@ -140,7 +140,8 @@ Judgement judge(const BySeed& setting, const BySeed& reference, double least_siz
   BySeed difference, expected;
   for (const auto& [seed, points] : reference) {
     const auto found = setting.find(seed);
-    if (found == setting.end() || found->second.size() != points.size()) continue;
+    if (found == setting.end()) continue;
+    if (found->second.size() != points.size()) return {};
     expected[seed] = points;
     std::ranges::transform(found->second, points, std::back_inserter(difference[seed]),
                            std::minus<>());

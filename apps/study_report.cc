@@ -138,13 +138,15 @@ std::string StudyReport::line_of_means(const Row& row) const {
 }
 
 std::string StudyReport::table() const {
+  std::string seeds;
+  for (const int seed : study_.seeds) seeds += (seeds.empty() ? "" : ", ") + std::to_string(seed);
   std::string text = fmt::format(
       "Errors against `{}`, seeds {}, paired by seed. Behind ± stands the noise: what the mean of "
       "such pairs is off by at most, in 19 of 20 cases, if only chance tells them apart; in the "
       "line of the reference, what two means of seeds of their own would be. Below it stand its "
       "means, angles in degrees, all else in SI units. Errors beyond the noise are bold; the "
       "others are none.\n\n",
-      study_.reference, fmt::join(study_.seeds, ", "));
+      study_.reference, seeds);
   if (of_other_builds_ > 0)
     text +=
         fmt::format("{} of the runs are of another build of the program.\n\n", of_other_builds_);
@@ -168,6 +170,8 @@ void StudyReport::record(const std::string& path) const {
   origin.program = "trade";
   origin.scene_text = study_.text;
   Recorder recorder(path, origin, {});
+  recorder.write("/study/seeds", std::vector<double>(study_.seeds.begin(), study_.seeds.end()),
+                 "1");
   for (const Row& row : rows_) {
     if (row.seconds.empty()) continue;
     const std::string in = "/settings/" + row.setting->word + '/';
@@ -181,7 +185,7 @@ void StudyReport::record(const std::string& path) const {
       recorder.write(of + "error", std::vector{j.error}, "1");
       recorder.write(of + "noise", std::vector{j.noise}, "1");
       for (std::size_t k = 0; k < row.found.size(); ++k)
-        recorder.write(of + fmt::format("seed_{}", row.seeds[k]), row.found[k][q],
+        recorder.write(of + "seed_" + std::to_string(row.seeds[k]), row.found[k][q],
                        "as history/" + interest_.quantities[q].column);
     }
   }

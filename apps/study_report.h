@@ -16,7 +16,7 @@ class StudyReport {
   StudyReport(const Study& study, const std::vector<StudyRun>& runs);
 
   std::string table() const;  // Markdown
-  // Of every setting with a finished run: /settings/<word>/seeds, and seconds and steps by
+  // The seeds asked for, /study/seeds. Of every setting with a finished run: /settings/<word>/seeds, and seconds and steps by
   // seed; of every quantity error, noise, and seed_<n>, its points. Throws OutputError.
   void record(const std::string& path) const;
   // The setting that takes the least time of those whose errors are known wherever the reference's

@@ -28,11 +28,21 @@ class Mix:
                        axis=0)
 
 
+def by_seed(mix, of):
+    return {run.name: of(run) for run in mix.runs}
+
+
 def paired(one, other, of):
-    """The values of two configurations with the seeds that both have."""
-    found = [{run.name: of(run) for run in mix.runs} for mix in (one, other)]
+    """The values of two configurations with the seeds that both have, by seed."""
+    found = by_seed(one, of), by_seed(other, of)
     both = sorted(found[0].keys() & found[1].keys())
-    return [np.array([values[seed] for seed in both]) for values in found]
+    return [{seed: values[seed] for seed in both} for values in found]
+
+
+def difference(one, other, of):
+    """Of two configurations, by seed."""
+    found = paired(one, other, of)
+    return {seed: value - found[1][seed] for seed, value in found[0].items()}
 
 
 def name(mix, temperature, content):
@@ -160,26 +170,31 @@ def sure(values):
     return value, error * students_t.ppf(0.975, max(len(values) - 1, 1))
 
 
+def over_seeds(rows):
+    """Mean of rows of values by seed, and how sure: a seed counts as one, since its runs begin with
+    the same places; where a row lacks it, that row's other seeds stand for it. Without a value: nan."""
+    rows = [{seed: value for seed, value in row.items() if np.isfinite(value)} for row in rows]
+    middles = [np.mean(list(row.values())) for row in rows if row]
+    rows = [row for row in rows if row]
+    apart = [np.mean([row[seed] - middle for row, middle in zip(rows, middles) if seed in row])
+             for seed in sorted(set().union(*rows))]
+    return (np.mean(middles), sure(apart)[1]) if rows else (np.nan, np.nan)
+
+
 def mean(runs_of, of):
-    """Over the configurations, and how sure: runs of a seed begin with the same places, and count
-    as one."""
-    by_seed = {}
-    for mix in runs_of.values():
-        for run in mix.runs:
-            by_seed.setdefault(run.name, []).append(of(run))
-    return sure([np.mean(values) for values in by_seed.values()])
+    """Over the configurations, and how sure."""
+    return over_seeds([by_seed(mix, of) for mix in runs_of.values()])
 
 
 def compare(runs_of, of, place, more, less, unit):
     """Words on the configurations that have `more` at a place of their key against those alike but
     for `less` there, paired by seed: is the first really larger?"""
-    pairs = [paired(runs_of[key], runs_of[key[:place] + (less,) + key[place + 1:]], of)
+    pairs = [(runs_of[key], runs_of[key[:place] + (less,) + key[place + 1:]])
              for key in runs_of if key[place] == more]
-    one, other = (np.concatenate(side) for side in zip(*pairs))
-    apart, error = sure(one - other)
+    one, other = (over_seeds([paired(*pair, of)[side] for pair in pairs])[0] for side in (0, 1))
+    apart, error = over_seeds([difference(*pair, of) for pair in pairs])
     verdict = "agrees" if apart > error else "against" if apart < -error else "not told apart"
-    return (f"{one.mean():.4g} against {other.mean():.4g} {unit}, apart by {apart:.3g} "
-            f"(+-{error:.3g})", verdict)
+    return (f"{one:.4g} against {other:.4g} {unit}, apart by {apart:.3g} (+-{error:.3g})", verdict)
 
 
 def told(mix, of, digits):

@@ -84,6 +84,18 @@ modes = 20
             self.assertRegex(done.stderr, rf"elastic\.height: expected .*{words}.*found {height}")
             self.assertEqual(os.path.exists(os.path.join(folder, "results.h5")), seen)
 
+    def test_elastic_steel_needs_the_program_that_knows_it(self):
+        alone = shutil.copy(os.path.join(BIN, "gyratory"), self.folder("gyratory"))
+        line = [alone] + command("gyratory", self.folder("never"), SMALL)[1:]
+        done = subprocess.run(line, capture_output=True, text=True)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertRegex(done.stderr, r":\d+:\d+: expected rigid steel, .* found elastic")
+        for key in RIGID:
+            line += ["--set", key]
+        self.assertEqual(subprocess.run(line + ["--check"], capture_output=True).returncode, 0)
+        loaded = subprocess.run(["ldd", alone], capture_output=True, text=True, check=True).stdout
+        self.assertNotRegex(loaded, "deal_II|trilinos|libmpi")
+
     def test_what_is_read_is_not_written_over(self):
         case = shutil.copy(os.path.join(SCENES, "paths", "pair.toml"), self.folder("pair.toml"))
         own = self.folder("mix")
@@ -100,6 +112,7 @@ modes = 20
             self.assertIn("--out: expected a", done.stderr)
             with open(read) as file:
                 self.assertEqual(file.read(), before)
+            self.assertEqual(subprocess.run(line + ["--check"], capture_output=True).returncode, 0)
 
     def test_steel_that_cannot_be_is_refused(self):
         gauge = 'output.gauge=[{angle="0 deg", height="12 mm", length="50 mm"}]'

@@ -151,7 +151,7 @@ class Runs(SmallRuns):
         often = ["output.history_interval=1e-30 s"]
         flow = FLOW + ["flow.displacement=0.02 mm"]
         gyration = RIGID + SMALL + ["gyration.ramp=0.005 s", "gyration.dwell=0 s",
-                                    "gyration.count=0.005"]
+                                    "gyration.count=0.015"]
         for program, overrides in (("flow_test", flow), ("gyratory", gyration)):
             history, _ = self.run_scene(program, program, overrides + often)
             self.assertGreater(len(history["time"]), 100)

@@ -185,6 +185,7 @@ mould.elastic.height = "46 mm"
         os.makedirs(self.out)
         study = os.path.join(self.out, "study.h5")
         with h5py.File(study, "w") as file:
+            file["study/seeds"] = numpy.arange(3)
             for name, seeds, seconds, error in (("whole", 3, 9, 0.2), ("in_part", 2, 5, 0.1),
                                                 ("unknown", 1, 1, None)):
                 file[f"settings/{name}/seeds"] = numpy.arange(seeds)

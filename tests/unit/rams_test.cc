@@ -1,7 +1,6 @@
 // The steps that a whole simulation takes under a ram.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <vector>
 
 #include "apps/laws.h"

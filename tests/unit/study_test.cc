@@ -179,6 +179,7 @@ TEST(study_errors, are_unknown_without_scatter_or_result) {
   EXPECT_FALSE(judge({}, {{1, {1}}, {2, {2}}}, 0).known);
   EXPECT_FALSE(judge({{1, {}}, {2, {}}}, {{1, {1}}, {2, {2}}}, 0).known);
   EXPECT_FALSE(judge({{1, {}}, {2, {}}}, {{1, {}}, {2, {}}}, 0).known);
+  EXPECT_FALSE(judge({{1, {1}}, {2, {2}}, {3, {}}}, {{1, {1}}, {2, {2}}, {3, {3}}}, 0).known);
   EXPECT_FALSE(scatter({{1, {1}}}, 0).known);
 }
 
