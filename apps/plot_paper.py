@@ -116,7 +116,7 @@ def steel_rows(study):
         one, other = (over_seeds([values])[0] for values in paired(elastic, rigid, of))
         apart, error = over_seeds([difference(elastic, rigid, of)])
         yield (f"| {words} [{unit}] | {one:.4g} | {other:.4g} | {apart:+.2g} "
-               f"| {error:.1g} | {'yes' if abs(apart) > error else 'not told apart'} |\n")
+               f"| {error:.2g} | {'yes' if abs(apart) > error else 'not told apart'} |\n")
 
 
 def flow_rows(flow):
