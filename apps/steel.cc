@@ -103,11 +103,10 @@ ElasticPart::ElasticPart(const ElasticScene& scene, const std::string& section,
     coupled_.emplace(count < 1 ? body_.reduce(scene.modes, points) : body_.reduce(count, points),
                      wall, settings);
   } catch (const std::invalid_argument&) {
-    throw InputError(
-        {fmt::format("{}.modes: expected fewer than the degrees of freedom of the steel's face, "
-                     "found {:g}; take "
-                     "fewer",
-                     section, scene.modes)});
+    throw InputError({fmt::format(
+        "{}.modes: expected fewer than the degrees of freedom of the steel's face, found {:g}; "
+        "take fewer",
+        section, scene.modes)});
   }
   if (scene.full) coupled_->follow_fully(body_.face_compliance(points), wall);
 }

@@ -32,11 +32,9 @@ std::string percent(double share) {
 
 // "-3.6 ± 28 %": the error and the noise of the two.
 std::string told(const Judgement& j) {
-  const std::string error = fmt::format("{}{} ± {} %",
-                                        j.sign < 0   ? "-"
-                                        : j.sign > 0 ? "+"
-                                                     : "",
-                                        in_percent(j.error), in_percent(j.noise));
+  const char* sign = j.sign < 0 ? "-" : j.sign > 0 ? "+" : "";
+  const std::string error =
+      fmt::format("{}{} ± {} %", sign, in_percent(j.error), in_percent(j.noise));
   return j.beyond() ? "**" + error + "**" : error;
 }
 

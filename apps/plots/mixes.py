@@ -41,8 +41,8 @@ def paired(one, other, of):
 
 def difference(one, other, of):
     """Of two configurations, by seed."""
-    found = paired(one, other, of)
-    return {seed: value - found[1][seed] for seed, value in found[0].items()}
+    minuend, subtrahend = paired(one, other, of)
+    return {seed: value - subtrahend[seed] for seed, value in minuend.items()}
 
 
 def name(mix, temperature, content):

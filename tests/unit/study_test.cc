@@ -152,7 +152,6 @@ TEST(study_errors, of_chance_alone_stay_inside_the_noise_in_19_of_20_cases) {
 }
 
 TEST(study_errors, of_chance_alone_scatter_as_the_reference_says) {
-  // The same of two means of seeds of their own, whose scatter is that of the reference: 1 of 10.
   // Closed form: t of ten degrees of freedom x sqrt(2 / 6) x the deviation 1, over the mean 10.
   BySeed reference;
   for (int seed = 1; seed <= 6; ++seed)
