@@ -73,7 +73,8 @@ Table table_of_wall_contacts(const dem::Simulation<Law>& bed) {
 
 template <class Law>
 void write_bed(Recorder& recorder, const dem::Simulation<Law>& bed, double history_began) {
-  write_table(recorder, "/stones", table_of_stones(bed.stones(), bed.coordination()));
+  write_table(recorder, "/stones",
+              table_of_stones(bed.stones(), dem::coordination(bed.pairs(), bed.stones())));
   write_table(recorder, "/contacts", table_of_contacts(bed));
   write_table(recorder, "/wall_contacts", table_of_wall_contacts(bed));
   write_table(recorder, "/fractures", table_of_fractures(bed.cracks(), history_began));

@@ -112,7 +112,7 @@ std::string table(const apps::PathCase& the_case, const Law& law) {
 // Laws of dry stones that runs do not have.
 template <class Law>
 Law other_shear(const apps::DampedDry& dry) {
-  return {dry.normal, dry.shear_modulus, dry.friction, dry.gap};
+  return {dry.normal, dry.shear_modulus, dry.friction, dry.cover};
 }
 
 void follow(const apps::Options& options) {

@@ -5,6 +5,7 @@
 #include <omp.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <ctime>
@@ -16,7 +17,6 @@
 
 #include "apps/bed_file.h"
 #include "apps/laws.h"
-#include "apps/timed_stages.h"
 #include "apps/whole_file.h"
 #include "dem/strength.h"
 
@@ -31,6 +31,8 @@ struct Options {
   bool json = false;
 };
 
+constexpr double gravity = 196.2;        // 20 g [m/s2]
+constexpr double time_step = 1e-6;       // [s]
 constexpr double shell = 0.5e-3;         // of the asphalt [m]
 constexpr double largest_overlap = 0.5;  // / radius of the smaller stone [-]
 
@@ -74,10 +76,16 @@ Material material_of(const std::string& law, const apps::BedFile& bed) {
 }
 
 template <class Law>
-apps::Bed<Law> bed_of(const apps::BedFile& file, const Material& material,
-                      const apps::LawBook& book) {
+struct Bed {
+  dem::ParticleStore stones;
+  std::vector<dem::Wall> walls;
+  Law pair_law, wall_law;
+};
+
+template <class Law>
+Bed<Law> bed_of(const apps::BedFile& file, const Material& material, const apps::LawBook& book) {
   const apps::StonesScene& scene = material.stones;
-  apps::Bed<Law> bed;
+  Bed<Law> bed;
   bed.stones = dem::make_stones(file.position, material.mix.radius, material.mix.layers(scene), 1);
   if (scene.fracture) dem::make_breakable(bed.stones, material.mix.strength);
   bed.walls.resize(2);
@@ -108,7 +116,7 @@ dem::Wall lid_of(const dem::ParticleStore& stones, const Options& options) {
                         .weight = 0,
                         .force = pressure * std::numbers::pi * radius * radius,
                         .ramp_start = 0,
-                        .ramp = options.warmup * apps::bed_time_step,
+                        .ramp = options.warmup * time_step,
                         .angle = angle,
                         .speed = options.gyrate,
                         .spin = false};
@@ -140,33 +148,42 @@ std::string table_of(const dem::ParticleStore& stones, double cylinder_radius) {
   return rows;
 }
 
+// Of the time that all stages took [-].
+nlohmann::ordered_json shares(const dem::StageTimes& times) {
+  constexpr std::array<const char*, dem::stages> names = {
+      "motion", "lists", "pair contacts", "wall contacts", "fracture", "rest"};
+  double all = 0;
+  for (int k = 0; k < dem::stages; ++k) all += times.spent(static_cast<dem::Stage>(k));
+  nlohmann::ordered_json shares;
+  for (int k = 0; k < dem::stages; ++k)
+    shares[names[k]] = times.spent(static_cast<dem::Stage>(k)) / all;
+  return shares;
+}
+
 template <class Law>
-nlohmann::ordered_json time_steps(apps::Bed<Law> bed, const Options& options) {
+nlohmann::ordered_json time_steps(Bed<Law> bed, const Options& options) {
+  using Clock = std::chrono::steady_clock;
   if (options.gyrate > 0) bed.walls.push_back(lid_of(bed.stones, options));
   dem::Settings settings;
-  settings.gravity = apps::bed_gravity;
-  settings.largest_step = apps::bed_time_step;
+  settings.gravity = gravity;
+  settings.largest_step = time_step;
   settings.largest_overlap = largest_overlap;
   settings.skin = options.skin;
   dem::Simulation<Law> simulation(bed.stones, bed.pair_law, settings);
   for (const dem::Wall& wall : bed.walls) simulation.add_wall(wall, bed.wall_law);
   for (int k = 0; k < options.warmup; ++k) simulation.step();
   const std::int64_t rebuilds_before = simulation.rebuilds();
-  const auto start = std::chrono::steady_clock::now();
+  dem::StageTimes times;
+  simulation.time_stages(times);
+  const auto start = Clock::now();
   const std::clock_t cpu_start = std::clock();
   for (int k = 0; k < options.steps; ++k) simulation.step();
-  const double per_step = apps::seconds_since(start) / options.steps;
+  const double per_step =
+      std::chrono::duration<double>(Clock::now() - start).count() / options.steps;
   const double cpu = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
 
   if (!options.out.empty())
     apps::write_whole_file(options.out, table_of(simulation.stones(), options.cylinder_radius));
-
-  // A part of the run is enough for shares, once a lid is down.
-  apps::Stages<Law> stages(bed, options.skin);
-  for (int k = 0; k < (options.gyrate > 0 ? options.warmup : options.warmup / 4); ++k)
-    stages.step();
-  stages.forget_times();
-  for (int k = 0; k < std::max(options.steps / 4, 1); ++k) stages.step();
 
   const std::int64_t stones = std::ssize(bed.stones.id);
   const std::int64_t pairs = simulation.pairs().touching(simulation.stones());
@@ -186,9 +203,10 @@ nlohmann::ordered_json time_steps(apps::Bed<Law> bed, const Options& options) {
   result["contact_steps_per_s"] = static_cast<double>(pairs + at_walls) / per_step;
   result["particle_steps_per_s"] = static_cast<double>(stones) / per_step;
   result["rebuilds"] = simulation.rebuilds() - rebuilds_before;
-  result["bytes_per_stone"] = stages.bytes_per_stone();
-  result["bytes_per_slot"] = stages.bytes_per_slot();
-  result["share"] = stages.shares();
+  result["bytes_per_stone"] = static_cast<double>(simulation.bytes()) / stones;
+  result["bytes_per_slot"] =
+      static_cast<double>(simulation.bytes_of_slots()) / simulation.pairs().slots();
+  result["share"] = shares(times);
   return result;
 }
 

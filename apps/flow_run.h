@@ -264,7 +264,8 @@ void FlowRun<Law>::draw(Recorder& recorder) {
   const dem::Vec3d& h = std::get<dem::Block>(bed_.walls()[strip_].surface).half;
   const std::string stones = fmt::format("stones_{:04d}.vtp", pictures_);
   const std::string strip = fmt::format("strip_{:04d}.vtp", pictures_++);
-  draw_stones(folder_ + "/" + stones, bed_.stones(), bed_.coordination());
+  draw_stones(folder_ + "/" + stones, bed_.stones(),
+              dem::coordination(bed_.pairs(), bed_.stones()));
   write_polygons(folder_ + "/" + strip,
                  box({o.x - h.x, o.y - h.y, o.z - h.z}, {o.x + h.x, o.y + h.y, o.z + h.z}), {});
   stone_series_.add(time, stones);

@@ -217,7 +217,8 @@ void GyratoryRun<Law>::compact(Recorder& recorder, GyratoryPictures& pictures, P
 template <class Law>
 void GyratoryRun<Law>::draw(Recorder& recorder, GyratoryPictures& pictures) {
   const TimeBudget::Phase before = watch_.budget.enter(TimeBudget::pictures);
-  pictures.draw(bed_.time() - compactor_.closed_at(), bed_.stones(), bed_.coordination(),
+  pictures.draw(bed_.time() - compactor_.closed_at(), bed_.stones(),
+                dem::coordination(bed_.pairs(), bed_.stones()),
                 {compactor_.plate(), compactor_.elastic_head()},
                 {compactor_.ring(), compactor_.elastic_mould()});
   write_bed(recorder, bed_, compactor_.closed_at());

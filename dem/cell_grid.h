@@ -70,10 +70,4 @@ class CellGrid {
   std::vector<std::uint32_t> cell_;   // of each place, while the grid is filled
 };
 
-// An order of the places in which neighbours in space are neighbours in memory, and threads that
-// take equal shares of it meet along horizontal planes: slab by slab of equal numbers, in each
-// along a Morton curve of cells of the given width [m], Morton (1966); within a cell in the order
-// of the places.
-std::vector<std::uint32_t> spatial_order(std::span<const Vec3d> position, double cell);
-
 }  // namespace dem

@@ -222,7 +222,8 @@ void EnergyLedger<Law>::look_at_wall(const Simulation<Law>& bed, std::size_t w) 
   frame_[w] = wall.frame;
 }
 
-// The words of PairContacts and WallContacts once more, slow and obvious.
+// The words of meeting.h and WallContacts once more, slow and obvious, so that the ledger does not
+// repeat their mistakes.
 template <ContactLaw Law>
 Contact<double> EnergyLedger<Law>::pair_contact(const ParticleStore& stones, std::size_t i,
                                                 std::size_t j, double dt) const {

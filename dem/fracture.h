@@ -1,7 +1,7 @@
 // When stones break, and how soft they become.
 //
 // A stone breaks when F / R0^2 of one of its stone contacts exceeds its strength sigma_F (Hertz
-// stress depends on F / R0^2 only; Olsson, Jelagin & Partl 2019, Eq. 4 gives sigma_F). It stays one
+// stress depends on F / R0^2 only; Olsson, Jelagin, Partl, Eq. 4 gives sigma_F). It stays one
 // sphere. Its crack runs along the load that broke it (unit vector c, force F_b). The paper leaves
 // the remaining stiffness to its reference [12], whose text we do not have; our rule is
 //   share = residual + (1 - residual) C / (C + F_b),  C = 1/2 sum_k F_k (1 - (n_k . c)^2),

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "dem/records.h"
+#include "dem/trouble.h"
 
 namespace dem {
 namespace {
@@ -80,6 +82,14 @@ Travel advance_stones(ParticleStore& stones, Steps steps, double drag, double gr
     finite = none[0] + none[1] + none[2] == 0;
   }
   return {strayed, finite};
+}
+
+void stop_at_first_not_finite(const ParticleStore& stones, double time) {
+  const auto unsound = [](const Vec3d& v) { return !std::isfinite(v.x + v.y + v.z); };
+  for (std::size_t k = 0; k < stones.size(); ++k)
+    if (unsound(stones.position[k]) || unsound(stones.velocity[k]) || unsound(stones.spin[k]))
+      throw NumericalTrouble("stone is not at a finite place", stones.id[k], time,
+                             std::numeric_limits<double>::quiet_NaN());
 }
 
 }  // namespace dem

@@ -37,4 +37,7 @@ void weigh(ParticleStore& stones, double gravity);
 Travel advance_stones(ParticleStore& stones, Steps steps, double drag, double gravity,
                       std::span<const Leash> leash);
 
+// Throws NumericalTrouble naming the first stone whose position, velocity or spin is not finite.
+void stop_at_first_not_finite(const ParticleStore& stones, double time);
+
 }  // namespace dem

@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "dem/bytes.h"
 #include "dem/groups.h"
 
 namespace dem {
@@ -242,6 +243,11 @@ std::int32_t NeighborList::slot_of(std::uint32_t i, std::uint32_t j) const {
   const auto begin = second.begin() + row_start[i], end = second.begin() + row_start[i + 1];
   const auto found = std::lower_bound(begin, end, j);
   return found != end && *found == j ? static_cast<std::int32_t>(found - second.begin()) : -1;
+}
+
+std::size_t NeighborList::bytes() const {
+  return bytes_of(row_start, first, second, previous, candidates.position, candidates.radius,
+                  candidates.id, candidates.row_start, candidates.second);
 }
 
 }  // namespace dem

@@ -65,6 +65,8 @@ struct NeighborList {
   // The slot of the pair (i, j), i coming first; -1 if it is not listed.
   std::int32_t slot_of(std::uint32_t i, std::uint32_t j) const;
 
+  std::size_t bytes() const;  // of all arrays, the candidates included
+
   Candidates candidates;
 
  private:

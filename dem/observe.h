@@ -1,6 +1,9 @@
 // What one reads off a bed of stones.
 #pragma once
 
+#include <vector>
+
+#include "dem/pair_contacts.h"
 #include "dem/particle_store.h"
 #include "dem/wall.h"
 
@@ -9,6 +12,18 @@ namespace dem {
 double kinetic_energy(const ParticleStore& stones);  // with scaled inertia, spin included [J]
 
 double mean_inertia_scale(const ParticleStore& stones);  // sum of inertia / sum of mass [-]
+
+// How many stones touch each stone, by place.
+template <ContactLaw Law>
+std::vector<int> coordination(const PairContacts<Law>& pairs, const ParticleStore& stones) {
+  std::vector<int> touching(stones.size(), 0);
+  for (std::int64_t s = 0; s < pairs.slots(); ++s) {
+    if (!pairs.touches(stones, s)) continue;
+    ++touching[pairs.first(s)];
+    ++touching[pairs.second(s)];
+  }
+  return touching;
+}
 
 // Mean height of the `count` highest stone tops (bare stones) [m].
 double mean_of_highest(const ParticleStore& stones, int count);

@@ -45,7 +45,6 @@ struct Pack {
 
   Pack& operator+=(Pack b) { return *this = *this + b; }
   Pack& operator-=(Pack b) { return *this = *this - b; }
-  Pack& operator*=(Pack b) { return *this = *this * b; }
 
   friend Pack operator+(Pack a, Pack b) { return Pack(a.value + b.value); }
   friend Pack operator-(Pack a, Pack b) { return Pack(a.value - b.value); }

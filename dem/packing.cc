@@ -81,9 +81,9 @@ class PlacedStones {
       for (int y = cell_of(p.y - reach, 1); y <= cell_of(p.y + reach, 1); ++y) {
         for (int x = cell_of(p.x - reach, 0); x <= cell_of(p.x + reach, 0); ++x) {
           for (int k = last_[index(x, y, z)]; k != none; k = stones_[k].before) {
-            const Vec3d gap = position - stones_[k].position;
+            const Vec3d apart = position - stones_[k].position;
             const double touching = radius + stones_[k].radius;
-            if (dot(gap, gap) <= touching * touching) return true;
+            if (dot(apart, apart) <= touching * touching) return true;
           }
         }
       }

@@ -10,7 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "dem/bytes.h"
 #include "dem/contact_history.h"
+#include "dem/extremes.h"
 #include "dem/meeting.h"
 #include "dem/neighbor_list.h"
 #include "dem/particle_store.h"
@@ -277,8 +279,7 @@ std::vector<SlotForce> PairContacts<Law>::forces(const ParticleStore& stones) co
 
 template <ContactLaw Law>
 std::size_t PairContacts<Law>::bytes() const {
-  return slots_.bytes() + tallies_.bytes() + history.raw().size_bytes() +
-         couples_.size() * (sizeof(Couple<Pack>) + sizeof(std::int32_t));
+  return slots_.bytes() + tallies_.bytes() + bytes_of(history.raw(), couples_, awake_);
 }
 
 template <ContactLaw Law>

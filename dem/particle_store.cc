@@ -4,6 +4,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "dem/bytes.h"
+
 namespace dem {
 
 // A ball of the shell's stuff in which a ball of stone takes the place of as much of it. The moment
@@ -44,6 +46,11 @@ ParticleStore make_stones(const std::vector<Vec3d>& position, std::vector<double
   stones.spin.assign(count, Vec3d{});
   stones.load.assign(count, Load{});
   return stones;
+}
+
+std::size_t ParticleStore::bytes() const {
+  return bytes_of(id, radius, mass, turning, inertia, strength, position, velocity, spin, load,
+                  softness);
 }
 
 void reorder(ParticleStore& stones, const std::vector<std::uint32_t>& order) {

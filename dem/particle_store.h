@@ -35,10 +35,12 @@ struct ParticleStore {
 
   // Written once, when the stones are made.
   std::vector<std::uint32_t> id;
-  std::vector<double> radius;    // of the bare stone [m]
-  std::vector<double> mass;      // with the shell: what weighs [kg]
+  std::vector<double> radius;   // of the bare stone [m]
+  std::vector<double> mass;     // with the shell: what weighs [kg]
+  std::vector<double> turning;  // moment of inertia / inertia [m2]
+
+  // Written once more where a scene scales inertia or lets stones break.
   std::vector<double> inertia;   // what resists acceleration: mass, or more where it is scaled [kg]
-  std::vector<double> turning;   // moment of inertia / inertia [m2]
   std::vector<double> strength;  // Weibull strength [Pa]; empty when stones do not break
 
   // Written by the integrator.
@@ -55,6 +57,7 @@ struct ParticleStore {
 
   std::size_t size() const { return id.size(); }
   double outer_radius(std::size_t i) const { return radius[i] + shell; }
+  std::size_t bytes() const;  // of all arrays
 };
 
 // Stones at rest at the given places, with ids 0, 1, ...

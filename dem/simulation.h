@@ -3,7 +3,6 @@
 // Law is the contact law of pairs; walls have laws of the same kind with their own constants.
 #pragma once
 
-#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +11,8 @@
 #include "dem/integrator.h"
 #include "dem/neighbor_list.h"
 #include "dem/pair_contacts.h"
+#include "dem/spatial_order.h"
+#include "dem/stage_times.h"
 #include "dem/state.h"
 #include "dem/step_bound.h"
 #include "dem/time_step.h"
@@ -75,9 +76,13 @@ class Simulation {
   std::vector<Wall>& walls() { return walls_; }
   const std::vector<Wall>& walls() const { return walls_; }
   const std::vector<Crack>& cracks() const { return cracks_.all(); }
-  std::vector<int> coordination() const;  // stones that touch each stone, by place
   const PairContacts<Law>& pairs() const { return pairs_; }
   const WallContacts<Law>& wall_contacts(std::size_t wall) const { return wall_contacts_[wall]; }
+  std::size_t bytes() const;           // of all arrays of stones, lists, contacts
+  std::size_t bytes_of_slots() const;  // of those of lists and pairs
+
+  // From here on adds up the time of each stage in `times`, which must outlive the steps.
+  void time_stages(StageTimes& times) { times_ = &times; }
 
   // See dem/state.h; the walls must have been added.
   template <class Visit>
@@ -88,16 +93,19 @@ class Simulation {
   void stop_at_wall_not_finite() const;
   void refresh_neighbors();
   void find_forces(double dt, bool check);
-  void inspect(const Extremes& at_pairs, const std::vector<WallExtremes>& at_walls);
-  void stop_at_deep_overlap(const Extremes& at_pairs,
-                            const std::vector<WallExtremes>& at_walls) const;
+  void inspect(const Extremes& at_pairs);
+  void stop_at_deep_overlap(const Extremes& at_pairs) const;
   void set_time_step(double dt);  // of the laws, 0 for a jump [s]
+  void enter(Stage stage) {
+    if (times_) times_->enter(stage);
+  }
 
   Settings settings_;
   ParticleStore stones_;
   std::vector<Wall> walls_;
   PairContacts<Law> pairs_;
   std::vector<WallContacts<Law>> wall_contacts_;
+  std::vector<WallExtremes> at_walls_;  // of the last forces
   NeighborList list_;
   std::vector<Leash> leash_;  // since the lists were made
   Cracks cracks_;
@@ -107,10 +115,12 @@ class Simulation {
   double last_step_ = 0;  // length of the step before [s]
   std::int64_t steps_ = 0, rebuilds_ = 0;
   bool stale_ = true;  // lists must be made before the next forces
+  StageTimes* times_ = nullptr;
 };
 
 template <ContactLaw Law>
 void Simulation<Law>::step() {
+  enter(Stage::lists);
   if (stale_) {
     refresh_neighbors();
     set_time_step(0);
@@ -121,6 +131,7 @@ void Simulation<Law>::step() {
   }
   const double dt = clock_.step();
   const Steps steps = {last_step_, dt};
+  enter(Stage::motion);
   move_walls(steps);
   const Travel travel = advance_stones(stones_, steps, drag_, settings_.gravity, leash_);
   last_step_ = dt;
@@ -131,6 +142,7 @@ void Simulation<Law>::step() {
 
   // What comes new to a list may come fast: it is looked at before it has come much closer.
   bool check = steps_ % check_interval == 0 || travel.strayed;
+  enter(Stage::lists);
   if (travel.strayed) refresh_neighbors();
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     if (walls_[w].moved <= settings_.skin / 2) continue;
@@ -139,21 +151,26 @@ void Simulation<Law>::step() {
   }
   find_forces(dt, check);
   stop_at_wall_not_finite();
+  enter(Stage::rest);
 }
 
 template <ContactLaw Law>
 void Simulation<Law>::find_forces(double dt, bool check) {
   const double horizon = check ? check_interval * clock_.step() : 0;
+  enter(Stage::pairs);
   const Extremes pair = pairs_.evaluate(stones_, dt, horizon);
-  std::vector<WallExtremes> at_walls;
+  enter(Stage::walls);
+  at_walls_.clear();
   for (std::size_t w = 0; w < walls_.size(); ++w)
-    at_walls.push_back(wall_contacts_[w].evaluate(stones_, walls_[w], dt, horizon));
+    at_walls_.push_back(wall_contacts_[w].evaluate(stones_, walls_[w], dt, horizon));
+  enter(Stage::fracture);
   if constexpr (Law::breaks) {
     const Contacts<Law> contacts = {pairs_, wall_contacts_};
     cracks_.open(stones_, contacts, time_);
-    if (steps_ % check_interval == 0) cracks_.soften(stones_, contacts, time_);
+    if (dt > 0 && steps_ % check_interval == 0) cracks_.soften(stones_, contacts, time_);
   }
-  if (check) inspect(pair, at_walls);
+  enter(Stage::rest);
+  if (check) inspect(pair);
 }
 
 template <ContactLaw Law>
@@ -174,15 +191,8 @@ void Simulation<Law>::move_walls(Steps steps) {
 template <ContactLaw Law>
 void Simulation<Law>::stop_at_wall_not_finite() const {
   for (std::size_t w = 0; w < walls_.size(); ++w) {
-    const Wall& wall = walls_[w];
-    const double force = norm(wall.force);
-    const bool placed = std::isfinite(wall.moved);
-    if (placed && std::isfinite(force)) continue;
     const auto& met = wall_contacts_[w].stones;
-    const std::string what = placed ? "force on wall " + wall.name + " [N]"
-                                    : "way that wall " + wall.name + " has moved [m]";
-    throw NumericalTrouble(what, stones_.id[met.empty() ? 0 : met.front()], time_,
-                           placed ? force : wall.moved);
+    stop_if_not_finite(walls_[w], stones_.id[met.empty() ? 0 : met.front()], time_);
   }
 }
 
@@ -207,8 +217,8 @@ void Simulation<Law>::refresh_neighbors() {
     if (!pairs_.history.holds(s)) continue;
     const auto i = static_cast<std::uint32_t>(place[pairs_.first(s)]);
     const auto j = static_cast<std::uint32_t>(place[pairs_.second(s)]);
-    const double gap = norm(stones_.position[i] - stones_.position[j]) - radius[i] - radius[j];
-    if (gap >= settings_.skin) keep.push_back({i, j});
+    const double apart = norm(stones_.position[i] - stones_.position[j]) - radius[i] - radius[j];
+    if (apart >= settings_.skin) keep.push_back({i, j});
   }
   const std::vector<double> extra = extra_skin(stones_, settings_.skin, clock_.step());
   list_.build({stones_.position, radius, stones_.id, extra}, settings_.skin, keep, order);
@@ -233,13 +243,13 @@ void Simulation<Law>::set_time_step(double dt) {
 }
 
 template <ContactLaw Law>
-void Simulation<Law>::inspect(const Extremes& at_pairs, const std::vector<WallExtremes>& at_walls) {
-  stop_at_deep_overlap(at_pairs, at_walls);
+void Simulation<Law>::inspect(const Extremes& at_pairs) {
+  stop_at_deep_overlap(at_pairs);
   StepBound bound = bound_by_stones(pairs_, at_pairs, stones_);
   const double until_next = check_interval * clock_.step();
   for (std::size_t w = 0; w < walls_.size(); ++w) {
-    bound.meet(bound_by_stones(wall_contacts_[w], at_walls[w], stones_, walls_[w]));
-    bound.meet(bound_by_load(walls_[w], at_walls[w].stiffness));
+    bound.meet(bound_by_stones(wall_contacts_[w], at_walls_[w], stones_, walls_[w]));
+    bound.meet(bound_by_load(walls_[w], at_walls_[w].stiffness));
     bound.meet(bound_by_speed(walls_[w], until_next, settings_.skin, settings_.safety));
   }
   if (bound.rate > 0) limiting_ = bound.by;
@@ -247,15 +257,14 @@ void Simulation<Law>::inspect(const Extremes& at_pairs, const std::vector<WallEx
 }
 
 template <ContactLaw Law>
-void Simulation<Law>::stop_at_deep_overlap(const Extremes& at_pairs,
-                                           const std::vector<WallExtremes>& at_walls) const {
+void Simulation<Law>::stop_at_deep_overlap(const Extremes& at_pairs) const {
   const auto deep = [&](const Extremes& at) { return at.overlap > settings_.largest_overlap; };
   if (deep(at_pairs))
     throw NumericalTrouble("stone overlap / radius",
                            stones_.id[pairs_.first(at_pairs.overlap_slot)], time_,
                            at_pairs.overlap);
   for (std::size_t w = 0; w < walls_.size(); ++w)
-    if (const WallExtremes& at = at_walls[w]; deep(at))
+    if (const WallExtremes& at = at_walls_[w]; deep(at))
       throw NumericalTrouble("stone overlap with wall " + walls_[w].name + " / radius",
                              stones_.id[wall_contacts_[w].stones[at.overlap_slot]], time_,
                              at.overlap);
@@ -285,14 +294,15 @@ void Simulation<Law>::visit_state(Visit& visit) {
 }
 
 template <ContactLaw Law>
-std::vector<int> Simulation<Law>::coordination() const {
-  std::vector<int> touching(stones_.size(), 0);
-  for (std::int64_t s = 0; s < pairs_.slots(); ++s) {
-    if (!pairs_.touches(stones_, s)) continue;
-    ++touching[pairs_.first(s)];
-    ++touching[pairs_.second(s)];
-  }
-  return touching;
+std::size_t Simulation<Law>::bytes_of_slots() const {
+  return list_.bytes() + pairs_.bytes();
+}
+
+template <ContactLaw Law>
+std::size_t Simulation<Law>::bytes() const {
+  std::size_t bytes = stones_.bytes() + bytes_of_slots() + bytes_of(leash_);
+  for (const auto& contacts : wall_contacts_) bytes += contacts.bytes();
+  return bytes;
 }
 
 }  // namespace dem

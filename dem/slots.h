@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "dem/bytes.h"
 #include "dem/neighbor_list.h"
 #include "dem/pack.h"
 
@@ -29,9 +30,7 @@ class Slots {
   template <class Lives>
   std::vector<std::int32_t> take(const NeighborList& list, Lives lives);
 
-  std::size_t bytes() const {
-    return (first.size() + second.size() + slot_of_.size()) * sizeof(std::int32_t);
-  }
+  std::size_t bytes() const { return bytes_of(first, second, slot_of_); }
 
   // See dem/state.h.
   template <class Visit>

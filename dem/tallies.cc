@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "dem/bytes.h"
 #include "dem/pack.h"
 
 namespace dem {
@@ -14,8 +15,8 @@ void Tallies::take(std::span<const std::int32_t> first, std::span<const std::int
   blocks_ = slots <= enough ? 1 : (slots - 1) / (shares * enough) * shares + shares;
   blocks_ = std::min(blocks_, most);
   slots_per_block_ = (slots / blocks_ + lanes) / lanes * lanes;
-  first_.resize(slots);
-  second_.resize(slots);
+  first_load_.resize(slots);
+  second_load_.resize(slots);
   std::vector<std::uint32_t> stone_of;                    // by part
   std::vector<std::uint32_t> place_of(stones.size());     // in the newest block that met the stone
   std::vector<std::uint32_t> block_of(stones.size(), 0);  // that one, counted from 1
@@ -32,8 +33,8 @@ void Tallies::take(std::span<const std::int32_t> first, std::span<const std::int
     };
     const std::int64_t begin = (block - 1) * slots_per_block_;
     for (std::int64_t s = begin; s < std::min(slots, begin + slots_per_block_); ++s) {
-      first_[s] = place(static_cast<std::uint32_t>(first[s]));
-      second_[s] = place(static_cast<std::uint32_t>(second[s]));
+      first_load_[s] = place(static_cast<std::uint32_t>(first[s]));
+      second_load_[s] = place(static_cast<std::uint32_t>(second[s]));
     }
   }
   of_stone_ = group_by(stone_of, stones.size());
@@ -44,9 +45,7 @@ void Tallies::take(std::span<const std::int32_t> first, std::span<const std::int
 }
 
 std::size_t Tallies::bytes() const {
-  return sizeof(Load) * stone_.size() +
-         sizeof(std::uint32_t) * (first_.size() + second_.size() + of_stone_.start.size() +
-                                  of_stone_.item.size() + stone_.size());
+  return bytes_of(first_load_, second_load_, of_stone_.start, of_stone_.item, stone_);
 }
 
 }  // namespace dem

@@ -59,8 +59,8 @@ class Tallies {
   // Asks for the loads that a slot adds to before they are needed.
   [[gnu::always_inline]] void fetch(std::int64_t slot, const std::vector<Load>& load) const {
     constexpr int to_write = 1;
-    __builtin_prefetch(&load[first_[slot]], to_write);
-    __builtin_prefetch(&load[second_[slot]], to_write);
+    __builtin_prefetch(&load[first_load_[slot]], to_write);
+    __builtin_prefetch(&load[second_load_[slot]], to_write);
   }
   // Adds a batch of `count` slots from `slot` on, slot after slot.
   template <bool breaks>
@@ -78,9 +78,9 @@ class Tallies {
   static constexpr std::int64_t stones_per_chunk = 512;
 
   std::int64_t blocks_ = 0, slots_per_block_ = 0;
-  std::vector<std::uint32_t> first_, second_;  // place of the load that each slot adds to
-  Groups of_stone_;                            // the parts, by the stones
-  std::vector<std::uint32_t> stone_;           // of each item of these
+  std::vector<std::uint32_t> first_load_, second_load_;  // place of the load that each slot adds to
+  Groups of_stone_;                                      // the parts, by the stones
+  std::vector<std::uint32_t> stone_;                     // of each item of these
 };
 
 template <class T>
@@ -97,8 +97,8 @@ void Tallies::Batch::put(int at, const Vec3<T>& force, const Vec3<T>& moment, T 
 template <bool breaks>
 void Tallies::add(std::int64_t slot, int count, const Batch& batch, std::vector<Load>& load) const {
   Load* const loads = load.data();
-  const std::uint32_t* const first = &first_[slot];
-  const std::uint32_t* const second = &second_[slot];
+  const std::uint32_t* const first = &first_load_[slot];
+  const std::uint32_t* const second = &second_load_[slot];
   for (int pack = 0; pack < count; pack += lanes) {
     if (!batch.holds(pack)) continue;
     for (int k = 0; k < lanes; ++k) {

@@ -2,8 +2,6 @@
 // k).
 #pragma once
 
-#include "dem/particle_store.h"
-
 namespace dem {
 
 // The lengths of the step before (0 at the start) and of this one [s]: velocities go from the
@@ -27,8 +25,5 @@ class StepClock {
  private:
   double safety_, largest_, step_;
 };
-
-// Throws NumericalTrouble naming the first stone whose position, velocity or spin is not finite.
-void stop_at_first_not_finite(const ParticleStore& stones, double time);
 
 }  // namespace dem

@@ -1,5 +1,9 @@
 #include "dem/wall.h"
 
+#include <cmath>
+
+#include "dem/trouble.h"
+
 namespace dem {
 
 double distance_to(const Wall& wall, const Vec3d& point) {
@@ -9,6 +13,15 @@ double distance_to(const Wall& wall, const Vec3d& point) {
   if (!wall.field) return nearest.distance;
   const Stencil foot = wall.field->stencil(local - nearest.normal * nearest.distance);
   return nearest.distance - dot(wall.field->displacement_at(foot), nearest.normal);
+}
+
+void stop_if_not_finite(const Wall& wall, std::uint32_t stone, double time) {
+  const double force = norm(wall.force);
+  if (!std::isfinite(wall.moved))
+    throw NumericalTrouble("way that wall " + wall.name + " has moved [m]", stone, time,
+                           wall.moved);
+  if (!std::isfinite(force))
+    throw NumericalTrouble("force on wall " + wall.name + " [N]", stone, time, force);
 }
 
 }  // namespace dem

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "dem/motion.h"
 #include "dem/surface_field.h"
 #include "dem/surfaces.h"
+#include "dem/wall_motion.h"
 
 namespace dem {
 
@@ -27,5 +27,9 @@ struct Wall {
 
 // Of a point from its face, bent or not [m], negative behind it.
 double distance_to(const Wall& wall, const Vec3d& point);
+
+// Throws NumericalTrouble, naming a stone, where the wall's force or way is not finite at `time`
+// [s].
+void stop_if_not_finite(const Wall& wall, std::uint32_t stone, double time);
 
 }  // namespace dem

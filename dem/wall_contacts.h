@@ -10,16 +10,13 @@
 #include <variant>
 #include <vector>
 
+#include "dem/bytes.h"
+#include "dem/extremes.h"
 #include "dem/integrator.h"
 #include "dem/pair_contacts.h"
 #include "dem/wall.h"
 
 namespace dem {
-
-// What a step check finds at a wall.
-struct WallExtremes : Extremes {
-  double stiffness = 0;  // of all contacts together [N/m]
-};
 
 template <ContactLaw Law>
 class WallContacts {
@@ -52,10 +49,7 @@ class WallContacts {
   double bending_power(const Wall& wall) const;
 
   std::int64_t slots() const { return slots_; }
-  std::size_t bytes() const {  // of all arrays
-    return stones.size() * sizeof stones[0] + touches_.size() * sizeof touches_[0] +
-           history.raw().size_bytes();
-  }
+  std::size_t bytes() const { return bytes_of(stones, touches_, sums_, history.raw()); }
   const Touch& touch(std::int64_t slot) const { return touches_[slot]; }
 
   // See dem/state.h.
@@ -96,6 +90,7 @@ class WallContacts {
   static constexpr std::int64_t slots_per_chunk = 64;  // a multiple of the lanes
 
   std::vector<Touch> touches_;  // written by evaluate_at
+  std::vector<Sum> sums_;       // by chunk
   std::int64_t slots_ = 0;
 };
 
@@ -128,19 +123,19 @@ template <class T>
 WallExtremes WallContacts<Law>::evaluate(ParticleStore& particles, Wall& wall, double dt,
                                          double horizon) {
   WallExtremes found;
-  std::vector<Sum> sums((slots_ + slots_per_chunk - 1) / slots_per_chunk);
-#pragma omp parallel if (sums.size() > 1)
+  sums_.resize((slots_ + slots_per_chunk - 1) / slots_per_chunk);
+#pragma omp parallel if (sums_.size() > 1)
   {
     WallExtremes mine;
 #pragma omp for schedule(static) nowait
-    for (std::int64_t chunk = 0; chunk < std::ssize(sums); ++chunk) {
+    for (std::int64_t chunk = 0; chunk < std::ssize(sums_); ++chunk) {
       const std::int64_t begin = chunk * slots_per_chunk;
       const std::int64_t end = std::min(slots_, begin + slots_per_chunk);
       mine.stiffness = 0;
       for (std::int64_t s = begin; s < end; s += width<T>)
         evaluate_at<T>(particles, wall, dt, horizon, s, mine);
-      sums[chunk] = sum_of(wall, begin, end);
-      sums[chunk].stiffness = mine.stiffness;
+      sums_[chunk] = sum_of(wall, begin, end);
+      sums_[chunk].stiffness = mine.stiffness;
     }
     if (horizon > 0) {
 #pragma omp critical
@@ -149,7 +144,7 @@ WallExtremes WallContacts<Law>::evaluate(ParticleStore& particles, Wall& wall, d
   }
   wall.force = wall.moment = Vec3d{0, 0, 0};
   wall.push = 0;
-  for (const Sum& sum : sums) {
+  for (const Sum& sum : sums_) {
     wall.force += sum.force;
     wall.moment += sum.moment;
     wall.push += sum.push;

@@ -1,4 +1,4 @@
-#include "dem/motion.h"
+#include "dem/wall_motion.h"
 
 #include <algorithm>
 #include <cmath>

@@ -19,14 +19,14 @@ struct Mindlin {
   Normal normal;
   double shear_modulus;  // G*, 1/G* = sum of (2 - nu)/G [Pa]
   double friction;       // mu [-]
-  double gap = 0;        // overlap of the shells at which the stones touch: 2t, t at a wall [m]
+  double cover = 0;      // overlap of the shells at which the stones touch: 2t, t at a wall [m]
 
   static constexpr bool breaks = false;
 
   template <class T>
   struct Memory {
     Vec3<T> shear;  // tangential force on the first body [N]
-    T compliance;   // 1 / (8 G* a) of the previous step, 0 if stones did not touch [m/N]
+    T compliance;   // 1 / (8 G* a) of the previous step, endless if only shells touched [m/N]
   };
 
   template <class T>
@@ -44,7 +44,7 @@ struct Mindlin {
   // weakness: contact compliance / that of whole stones [-].
   template <class T>
   Response<T> respond(const Contact<T>& contact, Memory<T>& memory, T weakness) const {
-    const T d = larger(contact.overlap - T(gap), T(0.0));
+    const T d = larger(contact.overlap - T(cover), T(0.0));
     const auto push = normal(d, contact);
     const T share = T(1.0) / weakness;
     const T force = push.force * share;
@@ -61,7 +61,7 @@ struct Mindlin {
     memory.shear = shear;
     memory.compliance = T(1 / (8.0 * shear_modulus)) * push.inverse_radius * weakness;
     // The shear stiffness is 4 G*/E0 < 1 of the normal one for every Poisson's ratio >= 0.
-    const T ahead = larger(overlap_ahead(contact) - T(gap), T(0.0));
+    const T ahead = larger(overlap_ahead(contact) - T(cover), T(0.0));
     return {force, force, shear, normal.stiffness(ahead, contact) * share};
   }
 };

@@ -21,7 +21,7 @@ struct SlipRings {
   Normal normal;
   double shear_modulus;  // G*, 1/G* = sum of (2 - nu)/G [Pa]
   double friction;       // mu [-]
-  double gap = 0;        // overlap of the shells at which the stones touch: 2t, t at a wall [m]
+  double cover = 0;      // overlap of the shells at which the stones touch: 2t, t at a wall [m]
 
   static constexpr bool breaks = false;
 
@@ -40,7 +40,7 @@ struct SlipRings {
 
   template <class T>
   Response<T> operator()(const Contact<T>& contact, Memory<T>& memory) const {
-    const T d = larger(contact.overlap - T(gap), T(0.0)), r = contact.stone_radius;
+    const T d = larger(contact.overlap - T(cover), T(0.0)), r = contact.stone_radius;
     const auto push = normal(d, contact);
     const T elastic = Hertz<>{normal.modulus}(d, contact).force;
     const T damping = push.force / larger(elastic, T(1e-300));
@@ -68,7 +68,7 @@ struct SlipRings {
       shear = shear - memory.slid[k] * stiffness;
       inner = smaller(rim, larger(widest, inner));
     }
-    const T ahead = larger(overlap_ahead(contact) - T(gap), T(0.0));
+    const T ahead = larger(overlap_ahead(contact) - T(cover), T(0.0));
     return {push.force, push.force, shear, normal.stiffness(ahead, contact)};
   }
 

@@ -15,14 +15,14 @@ namespace dem {
 // Of whole stones [J].
 template <class Normal>
 double normal_energy(const Mindlin<Normal>& law, const Contact<double>& contact) {
-  const double d = larger(contact.overlap - law.gap, 0.0);
+  const double d = larger(contact.overlap - law.cover, 0.0);
   return 8.0 / 15 * law.normal.modulus * d * d * std::sqrt(contact.stone_radius * d);
 }
 
 // Part of the push of whole stones that is not the spring's [N].
 template <class Normal>
 double damping_force(const Mindlin<Normal>& law, const Contact<double>& contact) {
-  const double d = larger(contact.overlap - law.gap, 0.0);
+  const double d = larger(contact.overlap - law.cover, 0.0);
   return law.normal(d, contact).force - Hertz<>{law.normal.modulus}(d, contact).force;
 }
 

@@ -36,9 +36,9 @@ rows of 20,000 and 200,000 stones are made with `--long`, on the day they tell, 
 One thing at a time is taken to its extreme in a scene of 150 stones of SMA 11 between rigid walls,
 a quarter of a gyration at 600 kPa. Residual, where the energy ledger watches: the most that it
 cannot explain in any row of the history, of the most work in any. Weak stones break where they
-touch another stone: their shells keep most apart. Inertial number: as `--check` foretells it; below
-4e-4 inertia does not show ([trade.md](../../apps/docs/trade.md)), up to 1e-3 flows are called
-quasi-static. A warning is what `--check` says before the run.
+touch another stone: their shells keep most apart. Inertial number: as `--check` foretells it; at
+3e-4 a quarter of the densification is lost ([trade.md](../../apps/docs/trade.md)), up to 1e-3 flows
+are called quasi-static. A warning is what `--check` says before the run.
 
 | extreme | ends | air voids | broken | steps | residual | inertial number | warning |
 |---|---|---|---|---|---|---|---|

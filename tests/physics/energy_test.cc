@@ -203,7 +203,7 @@ TEST(energy, of_a_contact_balances_along_any_path) {
   const auto any = [&] { return engine() / 4294967296.0; };
   for (int path = 0; path < 200; ++path) {
     Asphalt law = {{stone(0.5), 1}, binder(0.3, 0.4, any() < 0.5 ? 20 : 0)};
-    law.a.stone.gap = 0.1e-3 * any();
+    law.a.stone.cover = 0.1e-3 * any();
     if (any() < 0.5) law.b.friction = 0.3;
     Booked<Asphalt> contact(law);
     double overlap = 0, turnover = 0, softness = 1;

@@ -89,7 +89,7 @@ Compaction<BreakingAsphalt<2>> asphalt_bed() {
   const auto law = [&](int bodies) {
     apps::BreakingAsphalt<2> law;
     law.a = {dry(bodies, bodies == 2 ? 0.7 : 0.3), 1};
-    law.a.stone.gap = bodies * shell;
+    law.a.stone.cover = bodies * shell;
     law.b = {6.65e6,          {0.22, 0.21},
              {0.0948, 105.9}, bodies == 2 ? 8.0 / 3 : 16.0 / 3,
              bodies * shell,  {bodies == 2 ? 1e4 : 0.0}};

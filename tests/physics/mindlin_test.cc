@@ -124,7 +124,7 @@ TEST(mindlin, friction_counts_the_force_of_the_stones_alone) {
   // From the source: the stick-slip force is added to the binder's; its limit is mu F_stone.
   constexpr double gap = 1e-3;
   Mindlin<> stone = law_of(0.7);
-  stone.gap = gap;
+  stone.cover = gap;
   const Binder<2> film = hot_binder(0.43);
   OneContact<Sum<Mindlin<>, Binder<2>>> both({stone, film}, 1.25e-3, r0);
   OneContact<Binder<2>> binder(film, 1.25e-3, r0);

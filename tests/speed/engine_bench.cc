@@ -8,13 +8,13 @@
 #include <random>
 #include <vector>
 
-#include "dem/cell_grid.h"
 #include "dem/integrator.h"
 #include "dem/laws/binder.h"
 #include "dem/laws/fracture.h"
 #include "dem/laws/mindlin.h"
 #include "dem/laws/sum.h"
 #include "dem/pair_contacts.h"
+#include "dem/spatial_order.h"
 #include "dem/wall_contacts.h"
 
 namespace {

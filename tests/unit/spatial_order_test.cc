@@ -1,5 +1,4 @@
-// The order in which stones are stored.
-#include "dem/cell_grid.h"
+#include "dem/spatial_order.h"
 
 #include <gtest/gtest.h>
 
