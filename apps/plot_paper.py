@@ -14,11 +14,13 @@ import time
 import matplotlib.pyplot as plt
 import numpy as np
 
-from plots.mixes import (Mix, bed_height, box, broken, compare, compression, contact_force, decrease,
-                         depth, difference, internal_angle, late_rise, lowest, mean, mixes, name,
-                         over_seeds, paired, per_decade, pressure, roughness, sinking,
-                         stones_of, told, traction, turns, uplift, voids_before)
-from plots.style import BLUE, GREY, RED, STYLE
+from plots.errors import InputError, exit_status_of, reading
+from plots.mixes import (bed_height, box, broken, compare, compression, contact_force, decrease,
+                         depth, difference, internal_angle, late_rise, lowest, mean, mixes,
+                         over_seeds, paired, per_decade, pressure, roughness, sinking, stones_of,
+                         told, traction, turns, uplift, voids_before, with_rigid_steel)
+from plots.study import runs_by_setting
+from plots.style import BLUE, GREY, RED, STYLE, save
 
 PAPER_BOX = 0.150, 0.100  # length and width [m], Olsson, Jelagin & Partl, section 3.2
 STUDIES = pathlib.Path(__file__).parent / "scenes" / "studies"
@@ -105,10 +107,8 @@ def gyratory_statements(gyratory):
            "comes nearer ([trade.md](trade.md)); the binder never relaxes wholly; range from memory")
 
 
-def steel_rows(study):
+def steel_rows(elastic, rigid):
     """What the steel changes, quantity by quantity, in one configuration."""
-    chosen = name("SMA 11", 150, "6.6")
-    elastic, rigid = Mix(study, chosen), Mix(study, chosen + ", rigid steel")
     for words, unit, of in (("internal angle", "deg", internal_angle),
                             ("air-void decrease", "%", decrease),
                             ("traction of the mould", "kPa", traction),
@@ -208,7 +208,7 @@ Uplift when the strip begins to press (1 kPa), at its lowest and at the end:
 """ + "".join(flow_rows(flow))
 
 
-def gyratory_tables(gyratory, folder):
+def gyratory_tables(gyratory, elastic, rigid):
     return statement_table(gyratory_statements(gyratory)) + """
 | configuration | voids before [%] | decrease [%] | mould [kPa] | internal angle [deg] | broken |
 |---|---:|---:|---:|---:|---:|
@@ -218,25 +218,29 @@ degC with 6.6 %.
 
 | quantity | elastic | rigid | difference | +- | changed |
 |---|---:|---:|---:|---:|---|
-""" + "".join(steel_rows(folder))
+""" + "".join(steel_rows(elastic, rigid))
 
 
-def section(folder, page):
-    """Draws a study beside the page; its heading, and all of its section."""
-    study = mixes(folder)
+def section(folder):
+    """Of a study: heading and all of its section, its picture and the name of that."""
+    runs = runs_by_setting(folder)
+    study = mixes(folder, runs)
     one = next(iter(study.values())).runs[0]
-    test, draw = (("Gyratory compaction", draw_gyratory) if one.gyratory
-                  else ("Flow test", draw_flow))
-    heading = f"## {test}, {stones_of(study)} stones\n"
-    picture = f"paper_{test.split()[0].lower()}_{stones_of(study)}.png"
-    with plt.rc_context(STYLE):
-        figure, axes = plt.subplots(1, 2, figsize=(12, 4.3))
-        draw(study, *axes)
-        figure.savefig(page.parent / picture, dpi=100)
-    made = time.strftime("%Y-%m-%d", time.gmtime((one.folder / "summary.json").stat().st_mtime))
     own = folder.resolve().name
     if not (STUDIES / f"{own}.toml").exists():
-        sys.exit(f"{folder}: expected the name of a study of {STUDIES}; rename it")
+        raise InputError(f"{folder}: expected the name of a study of {STUDIES}, found {own}; "
+                         "rename it")
+    if one.gyratory:
+        test, draw = "Gyratory compaction", draw_gyratory
+        key, rigid = with_rigid_steel(folder, runs)
+        tables = gyratory_tables(study, study[key], rigid)
+    else:
+        test, draw, tables = "Flow test", draw_flow, flow_tables(study)
+    heading = f"## {test}, {stones_of(study)} stones\n"
+    picture = f"paper_{test.split()[0].lower()}_{stones_of(study)}.png"
+    figure, axes = plt.subplots(1, 2, figsize=(12, 4.3))
+    draw(study, *axes)
+    made = time.strftime("%Y-%m-%d", time.gmtime((one.folder / "summary.json").stat().st_mtime))
     return heading, heading + f"""
 Made on {made} by
 
@@ -246,7 +250,7 @@ Made on {made} by
 {conditions(study)}.
 
 ![the paper's figures anew]({picture})
-""" + (gyratory_tables(study, folder) if one.gyratory else flow_tables(study))
+""" + tables, figure, picture
 
 
 def main():
@@ -254,10 +258,14 @@ def main():
     parser.add_argument("studies", type=pathlib.Path, nargs="+")
     parser.add_argument("--page", type=pathlib.Path, default=pathlib.Path("paper.md"))
     options = parser.parse_args()
-    options.page.parent.mkdir(parents=True, exist_ok=True)
-    text = options.page.read_text() if options.page.exists() else PREAMBLE
-    for folder in options.studies:
-        heading, words = section(folder, options.page)
+    with reading(options.page, "a page of text", "choose another --page"):
+        text = options.page.read_text() if options.page.exists() else PREAMBLE
+    with plt.rc_context(STYLE):
+        sections = [section(folder) for folder in options.studies]  # before anything is written
+        options.page.parent.mkdir(parents=True, exist_ok=True)
+        for _, _, figure, picture in sections:
+            save(figure, options.page.parent / picture, dpi=100)
+    for heading, words, _, _ in sections:
         print(words)
         before = re.search(rf"^{re.escape(heading)}.*?(?=^## |\Z)", text, re.MULTILINE | re.DOTALL)
         if before:
@@ -265,8 +273,10 @@ def main():
             text = text[:before.start()] + words + ("\n" + rest if rest else "")
         else:
             text += "\n" + words
-    options.page.write_text(text)
+    part = options.page.with_name(".part_" + options.page.name)  # replaced as a whole
+    part.write_text(text)
+    part.replace(options.page)
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(exit_status_of(main))

@@ -10,7 +10,9 @@ import sys
 import matplotlib.pyplot as plt
 import numpy as np
 
-from plots.style import BLUE, GREEN, INK, RED, STYLE
+from plots.errors import InputError, exit_status_of
+from plots.style import BLUE, GREEN, INK, RED, STYLE, save
+from plots.tables import read_table
 
 COLOURS = [BLUE, RED, GREEN, "#762a83", "#e08214", "#4d4d4d"]
 COLUMNS = ["time_s", "overlap_m", "shear_m", "force_N", "binder_N", "stone_N", "shear_N",
@@ -19,14 +21,7 @@ COLUMNS = ["time_s", "overlap_m", "shear_m", "force_N", "binder_N", "stone_N", "
 
 def read(path):
     """The columns of a table, lengths in um."""
-    try:
-        table = np.genfromtxt(path, delimiter=",", names=True, ndmin=1)
-    except (OSError, ValueError) as error:
-        sys.exit(f"{path}: cannot be read as a table: {str(error).splitlines()[0]}")
-    missing = [name for name in COLUMNS if name not in (table.dtype.names or ())]
-    if missing:
-        sys.exit(f"{path}: expected the columns of contact_path, no {', '.join(missing)} found")
-    columns = {name: table[name] for name in COLUMNS}
+    columns = read_table(path, COLUMNS, "contact_path")
     for name in ("overlap_m", "shear_m"):
         columns[name] = columns[name] * 1e6
     return columns
@@ -79,14 +74,14 @@ def main():
     parser.add_argument("--out", type=pathlib.Path,
                         help="picture, .png or .svg; beside the first table if not given")
     options = parser.parse_args()
-    paths = {str(path.with_suffix("")): read(path) for path in options.tables}
     out = options.out or options.tables[0].with_suffix(".png")
+    if out.suffix not in (".png", ".svg"):
+        raise InputError(f"{out}: expected a picture, .png or .svg, found the ending "
+                         f"\"{out.suffix}\"; choose another --out")
+    paths = {str(path.with_suffix("")): read(path) for path in options.tables}
     with plt.rc_context(STYLE):
-        try:
-            picture(paths).savefig(out, dpi=150)
-        except (OSError, ValueError) as error:
-            sys.exit(f"{out}: cannot be written: {error}")
+        save(picture(paths), out, dpi=150)
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(exit_status_of(main))

@@ -20,15 +20,10 @@ import matplotlib.pyplot as plt
 
 from plots import page
 from plots.compaction import overview
+from plots.errors import InputError, exit_status_of
+from plots.folders import NEW_RUN, OTHER, RUN, expect, kind_of
 from plots.run import Run
-from plots.style import STYLE
-
-
-def save(figure, out):
-    """Replaces the picture as a whole, for viewers that watch it."""
-    part = out.with_name(".part_" + out.name)  # the ending tells matplotlib the format
-    figure.savefig(part, dpi=120 if out.suffix == ".png" else 200)
-    part.replace(out)
+from plots.style import STYLE, save
 
 
 def draw_overview(run, out):
@@ -39,7 +34,7 @@ def draw_overview(run, out):
     state = "" if run.summary else "   ·   not finished"
     figure.suptitle(f"{run.name}   ·   seed {run.provenance['seed']}{state}", x=0.01, ha="left",
                     fontsize=13)
-    save(figure, out)
+    save(figure, out, dpi=120)
     plt.close(figure)
     return True
 
@@ -53,7 +48,7 @@ def draw_all(runs, out):
         figure.draw_without_rendering()
         figure.set_layout_engine("none")  # once is enough
         for ending in ("png", "svg"):
-            save(figure, pictures / f"{name}.{ending}")
+            save(figure, pictures / f"{name}.{ending}", dpi=120 if ending == "png" else 200)
         plt.close(figure)
         drawn.append((name, heading, words))
     report = out / "report.html"
@@ -90,8 +85,8 @@ def watch(folder, out, interval):
         if finished:
             return
         if not running:
-            sys.exit(f"{folder}: expected a run that goes on or has finished, found neither; "
-                     f"start it, or go on with it by --resume {folder}")
+            raise InputError(f"{folder}: expected a run that goes on or has finished, found "
+                             f"neither; start it, or go on with it by --resume {folder}")
         time.sleep(interval)
 
 
@@ -106,11 +101,19 @@ def name_apart(runs):
         run.name = "/".join(path)
 
 
-def one_program(runs):
+def runs_to_draw(folders):
+    """Of one program, known apart by their names."""
+    runs = [Run(folder) for folder in folders]
+    for run in runs:
+        if not run.began and not run.table("filling"):
+            raise InputError(f"{run.folder}: expected a run that has recorded something, found "
+                             "nothing yet; wait for it, or plot_run.py --live does so")
     if len({run.gyratory for run in runs}) > 1:
-        sys.exit("expected runs of one program, found gyratory and flow_test; plot them apart")
+        raise InputError(f"{runs[0].folder}: expected runs of one program, found gyratory and "
+                         "flow_test; plot them apart")
     if len({run.name for run in runs}) < len(runs):
         name_apart(runs)
+    return runs
 
 
 def main():
@@ -123,28 +126,27 @@ def main():
     options.add_argument("--live", type=float, metavar="SECONDS", nargs="?", const=5,
                          help="draw run.png again while the run goes on, looking every 5 s")
     chosen = options.parse_args()
-    several = len(chosen.dirs) > 1
-    if chosen.live and several:
-        options.error(f"--live: expected one folder, found {len(chosen.dirs)}; "
-                      "watch each by itself")
-    if chosen.live and not chosen.dirs[0].is_dir():
-        options.error(f"{chosen.dirs[0]}: expected the folder of a run, found none; "
-                      "correct the path, or start the run first")
+    live, several = chosen.live is not None, len(chosen.dirs) > 1
+    if live and several:
+        raise InputError(f"--live: expected one folder, found {len(chosen.dirs)}; "
+                         "watch each by itself")
+    if live and not chosen.live > 0:
+        raise InputError(f"--live: expected seconds above 0, found {chosen.live:g}; write it like "
+                         "--live 5")
+    if live:
+        if kind_of(chosen.dirs[0]) not in (NEW_RUN, OTHER):  # it may only begin
+            expect(chosen.dirs[0], RUN)
+    else:
+        runs = runs_to_draw(chosen.dirs)
     out = chosen.out or (chosen.dirs[0] / "compared" if several else chosen.dirs[0])
-    if chosen.out or several:
-        out.mkdir(parents=True, exist_ok=True)
+    out.mkdir(parents=True, exist_ok=True)
     with matplotlib.rc_context(STYLE):
-        try:
-            if chosen.live:
-                return watch(chosen.dirs[0], out / "run.png", chosen.live)
-            runs = [Run(folder) for folder in chosen.dirs]
-        except (OSError, KeyError) as trouble:
-            sys.exit(f"{', '.join(map(str, chosen.dirs))}: not the results of a run ({trouble})")
-        one_program(runs)
-        if not several and not draw_overview(runs[0], out / "run.png"):
-            sys.exit(f"{runs[0].name}: nothing has been recorded yet")
+        if live:
+            return watch(chosen.dirs[0], out / "run.png", chosen.live)
+        if not several:
+            draw_overview(runs[0], out / "run.png")
         print(draw_all(runs, out))
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(exit_status_of(main))

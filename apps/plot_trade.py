@@ -13,16 +13,18 @@ import numpy
 from matplotlib.text import Text
 from matplotlib.transforms import Bbox
 
-from plots.style import BLUE, GREY, INK, RED, STYLE
+from plots import study
+from plots.errors import InputError, exit_status_of
+from plots.style import BLUE, GREY, INK, RED, STYLE, save
 
 
 class Setting:
     def __init__(self, name, group, runs):
-        finished = len(group["seeds"])
-        self.whole = finished == runs
+        self.counted = len(group["seeds"])  # runs that came to their end
+        self.whole = self.counted == runs
         self.name = name.replace("_", " ")
         if not self.whole:
-            self.name += f" ({finished} of {runs} runs)"
+            self.name += f" ({self.counted} of {runs} runs)"
         self.seconds = numpy.mean(group["seconds"][:])
         known = {q: g for q, g in group.items() if isinstance(g, h5py.Group)}
         self.error = {q.replace("_", " "): g["error"][0] for q, g in known.items()}
@@ -106,15 +108,14 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("folder", type=pathlib.Path, help="of trade --out")
     folder = parser.parse_args().folder
-    with h5py.File(folder / "study.h5") as file:
-        groups = dict(file.get("settings", {}))
+    with study.results(folder) as file:
         runs = len(file["study/seeds"])
-        settings = [Setting(name, group, runs) for name, group in groups.items()]
+        settings = [Setting(name, group, runs) for name, group in file.get("settings", {}).items()]
     settings.sort(key=lambda s: s.seconds)
     judged = [s for s in settings if s.error]
     if not judged:
-        sys.exit(f"{folder}: expected a setting with two seeds that the reference has finished "
-                 "too, found none; add seeds to the study and run trade again")
+        raise InputError(f"{folder}: expected a setting with two seeds that the reference has "
+                         "finished too, found none; add seeds to the study and run trade again")
     for s in settings:
         if s not in judged:
             print(f"{s.name}: left out on the left, no quantity of it is judged", file=sys.stderr)
@@ -127,9 +128,9 @@ def main():
         figure.set_layout_engine("none")
         name_points(left, judged)
         for ending in ("png", "svg"):
-            figure.savefig(folder / f"trade.{ending}", dpi=110)
+            save(figure, folder / f"trade.{ending}", dpi=110)
     print(folder / "trade.png")
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(exit_status_of(main))

@@ -18,8 +18,9 @@ from PIL import Image
 
 from plots import scene3d as vtk
 from plots import slices
+from plots.errors import InputError, exit_status_of
 from plots.run import Run
-from plots.style import STYLE
+from plots.style import STYLE, save
 
 SIZE, MOVIE_SIZE = (1000, 900), (520, 468)
 FEWEST_FRAMES = 16  # that make a movie of a gyration
@@ -34,7 +35,8 @@ class Scenery:
         self.run = Run(folder)
         table = self.run.table("stones")
         if not table or "x" not in table:
-            sys.exit(f"{folder}: no picture has been recorded yet")
+            raise InputError(f"{folder}: expected a run that has recorded a picture, found none "
+                             "yet; wait for it")
         self.place = np.stack([table["x"], table["y"], table["z"]], axis=1)
         if self.run.gyratory:
             radius = self.run.table("mould")["diameter"][0] / 2
@@ -160,24 +162,23 @@ def main():
     options.add_argument("dir", type=pathlib.Path, metavar="DIR", help="folder of a run")
     options.add_argument("--out", type=pathlib.Path, metavar="FOLDER", help="default: DIR/renders")
     chosen = options.parse_args()
+    scenery = Scenery(chosen.dir)
     vtk.on_some_screen()
-    try:
-        scenery = Scenery(chosen.dir)
-    except (OSError, KeyError) as trouble:
-        sys.exit(f"{chosen.dir}: not the results of a run ({trouble})")
     out = chosen.out or chosen.dir / "renders"
     out.mkdir(parents=True, exist_ok=True)
-    for draw in (packing, forces, fractures):
-        Image.fromarray(draw(scenery)).save(out / f"{draw.__name__}.png")
-        print(out / f"{draw.__name__}.png")
+    drawn = {draw.__name__: draw(scenery) for draw in (packing, forces, fractures)}
+    moves = movie(scenery, out / "gyration.gif")
+    for name, image in drawn.items():
+        Image.fromarray(image).save(out / f"{name}.png")
+        print(out / f"{name}.png")
     with matplotlib.rc_context(STYLE):
-        slices.draw(scenery.run, (scenery.low, scenery.high)).savefig(out / "slices.png", dpi=110)
+        save(slices.draw(scenery.run, (scenery.low, scenery.high)), out / "slices.png", dpi=110)
     print(out / "slices.png")
-    if movie(scenery, out / "gyration.gif"):
+    if moves:
         print(out / "gyration.gif")
     else:
         print(why_no_movie(scenery), file=sys.stderr)
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(exit_status_of(main))

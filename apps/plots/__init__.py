@@ -1,1 +1,1 @@
-"""The pictures and the page that apps/plot_run.py makes of runs."""
+"""What the programs for pictures share: reading runs and studies, and drawing them."""

@@ -3,8 +3,10 @@ scatter over the seeds, and how they compare."""
 import numpy as np
 from scipy.stats import t as students_t
 
-from plots import slope
-from plots.run import Run
+from . import slope
+from .errors import InputError
+from .run import Run
+from .study import as_word
 
 MIXES = {"SMA 11": ("6.6", "7.8"), "AC 11": ("5.4", "6.6")}
 
@@ -12,13 +14,16 @@ MIXES = {"SMA 11": ("6.6", "7.8"), "AC 11": ("5.4", "6.6")}
 class Mix:
     """The runs of one configuration that came to their end, a seed each, and why others stopped."""
 
-    def __init__(self, study, name):
+    def __init__(self, folder, runs, name):
         self.name = name
-        word = "".join(c if c.isalnum() or c in ".-" else "_" for c in name.replace(",", ""))
-        place = study / "runs" / word
-        self.runs = [Run(folder) for folder in sorted(place.glob("seed_*"))
-                     if (folder / "summary.json").exists()]
-        self.stopped = {path.stem: path.read_text() for path in sorted(place.glob("seed_*.stopped"))}
+        word = as_word(name)
+        if word not in runs:
+            raise InputError(f"{folder}: expected a study of the paper's mixes, found no run of "
+                             f"\"{name}\" that came to its end; give what trade left of a "
+                             "studies/paper_*.toml once it is over")
+        self.runs = [Run(run) for run in runs[word]]
+        stopped = sorted((folder / "runs" / word).glob("seed_*.stopped"))
+        self.stopped = {path.stem: path.read_text() for path in stopped}
 
     def values(self, of):
         return np.array([of(run) for run in self.runs])
@@ -49,9 +54,15 @@ def name(mix, temperature, content):
     return f"{mix}, {temperature} degC, {content} %"
 
 
-def mixes(study):
-    return {(mix, t, k): Mix(study, name(mix, t, content)) for mix, contents in MIXES.items()
+def mixes(folder, runs):
+    """Of a study's runs, folders by setting."""
+    return {(mix, t, k): Mix(folder, runs, name(mix, t, content)) for mix, contents in MIXES.items()
             for t in (150, 110) for k, content in enumerate(contents)}
+
+
+def with_rigid_steel(folder, runs):
+    """The one configuration of gyratory compaction that is run twice, and its key among the mixes."""
+    return ("SMA 11", 150, 0), Mix(folder, runs, name("SMA 11", 150, "6.6") + ", rigid steel")
 
 
 def stones_of(study):

@@ -5,6 +5,9 @@ import tomllib
 import h5py
 import numpy as np
 
+from .errors import reading
+from .folders import RUN, expect
+
 # Stored unit: the unit that is shown, and the factor between them.
 SHOWN_AS = {"Pa": ("kPa", 1e-3), "m": ("mm", 1e3), "1": ("-", 1)}
 PERCENT = ("air_voids", "air_voids_decrease", "energy_residual_share")
@@ -14,9 +17,10 @@ class Run:
     """A run, finished or not; its histories may still be empty."""
 
     def __init__(self, folder):
+        expect(folder, RUN)
         self.folder = folder
         self.name = folder.resolve().name
-        with h5py.File(folder / "results.h5", "r") as file:
+        with self.reading("results.h5"), h5py.File(folder / "results.h5") as file:
             self.columns = {name: column[:] for name, column in file["history"].items()}
             self.units = {name: column.attrs["unit"] for name, column in file["history"].items()}
             self.provenance = dict(file["provenance"].attrs)
@@ -25,24 +29,30 @@ class Run:
                           "walls/mould", "head", "mould", "box", "strip"):
                 if group in file:
                     self.tables[group] = {name: data[:] for name, data in file[group].items()}
+            self.began = len(self.columns["time"]) > 0
         summary = folder / "summary.json"
-        self.summary = json.loads(summary.read_text()) if summary.exists() else {}
-        self.began = len(self.columns["time"]) > 0
+        with self.reading("summary.json"):
+            self.summary = json.loads(summary.read_text()) if summary.exists() else {}
         self.gyratory = "gyration" in self.columns
+
+    def reading(self, name):
+        return reading(self.folder / name, "a file of a run", "run it again")
 
     def scene_text(self):
         stored = self.folder / "scene.toml"
         return stored.read_text() if stored.exists() else self.provenance["scene"]
 
     def scene(self):
-        return tomllib.loads(self.scene_text())
+        with self.reading("scene.toml"):
+            return tomllib.loads(self.scene_text())
 
     def sieves(self):
         """Sieve openings [m] and the mass share that passes them, as the scene asked for."""
-        lines = (self.folder / "gradation.csv").read_text().splitlines()
-        rows = [line for line in lines if line.strip() and not line.startswith("#")]
-        table = np.loadtxt(rows[1:], delimiter=",", ndmin=2)  # below its heading
-        return 1e-3 * table[:, 0], 1e-2 * table[:, 1]
+        with self.reading("gradation.csv"):
+            lines = (self.folder / "gradation.csv").read_text().splitlines()
+            rows = [line for line in lines if line.strip() and not line.startswith("#")]
+            table = np.loadtxt(rows[1:], delimiter=",", ndmin=2)  # below its heading
+            return 1e-3 * table[:, 0], 1e-2 * table[:, 1]
 
     def table(self, group):
         """A group of results.h5, or None where the run has not come so far."""

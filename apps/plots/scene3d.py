@@ -11,6 +11,8 @@ import numpy as np
 import vtk
 from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
+from .errors import InputError, reading
+
 STEEL, PAPER, INK = (0.72, 0.75, 0.79), (1, 1, 1), (0.13, 0.13, 0.13)
 
 
@@ -19,21 +21,28 @@ def on_some_screen():
     if os.environ.get("DISPLAY"):
         return
     if not shutil.which("xvfb-run"):
-        sys.exit("expected a screen, found none; install xvfb and xauth (apps/setup.sh does)")
+        raise InputError("DISPLAY: expected a screen, found none; install xvfb and xauth "
+                         "(apps/setup.sh does)")
     os.execvp("xvfb-run", ["xvfb-run", "-a", sys.executable, *sys.argv])
 
 
 def pictures(folder, name):
     """Times [s] and files of a ParaView series of a run."""
-    sets = xml.etree.ElementTree.parse(folder / f"{name}.pvd").iter("DataSet")
-    return [(float(entry.get("timestep")), folder / entry.get("file")) for entry in sets]
+    path = folder / f"{name}.pvd"
+    with reading(path, "the pictures of a run", "run it again"):
+        sets = xml.etree.ElementTree.parse(path).iter("DataSet")
+        return [(float(entry.get("timestep")), folder / entry.get("file")) for entry in sets]
 
 
 def read(path):
     kind = vtk.vtkXMLPolyDataReader if path.suffix == ".vtp" else vtk.vtkXMLUnstructuredGridReader
     reader = kind()
     reader.SetFileName(str(path))
+    vtk.vtkObject.GlobalWarningDisplayOff()  # one line instead of them
     reader.Update()
+    if reader.GetErrorCode() or not reader.GetOutput().GetNumberOfPoints():
+        raise InputError(f"{path}: expected a picture of a run, found none or a damaged one; "
+                         "run it again")
     return reader.GetOutput()
 
 

@@ -34,6 +34,13 @@ def figure(width, height):
     return plt.figure(figsize=(width, height), layout="constrained")
 
 
+def save(figure, out, dpi):
+    """Replaces the picture as a whole, for viewers that watch it, and lest half of one is left."""
+    part = out.with_name(".part_" + out.name)  # the ending tells matplotlib the format
+    figure.savefig(part, dpi=dpi)
+    part.replace(out)
+
+
 def colour_of(runs, run):
     """Of a run among several; of the first of several curves where it is alone."""
     return BLUE if len(runs) == 1 else f"C{runs.index(run)}"

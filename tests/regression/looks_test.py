@@ -111,7 +111,7 @@ class Looks(SmallRuns):
         self.assertEqual(parts, {"compaction", "head", "stones", "voids", "gradation", "filling",
                                  "budget"})
         mixed = run_script("plot_run.py", flows[0], gyratory[0])
-        self.assertNotEqual(mixed.returncode, 0)
+        self.assertEqual(mixed.returncode, 2)
         self.assertIn("runs of one program", mixed.stderr)
 
     def test_a_run_can_be_watched_while_it_fills(self):
@@ -142,7 +142,7 @@ class Looks(SmallRuns):
             with self.assertRaises(subprocess.TimeoutExpired):
                 watch.wait(3)
         words = watch.communicate(timeout=60)[1]
-        self.assertEqual(watch.returncode, 1)
+        self.assertEqual(watch.returncode, 2)
         self.assertIn("expected a run that goes on or has finished, found neither", words)
         for folders, words in (([folder + "1"], "expected the folder of a run"),
                                ([folder, folder], "expected one folder, found 2")):

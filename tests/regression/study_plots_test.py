@@ -3,6 +3,7 @@
 import itertools
 import json
 import os
+import shutil
 import sys
 
 import h5py
@@ -18,14 +19,14 @@ class StudyPlots(SmallRuns):
     def test_the_slope_of_a_straight_line_is_found(self):
         # By construction: 3 and 5 per cent per decade, after gyrations that count for nothing.
         for seed, slope in (1, 0.03), (2, 0.05):
-            folder = os.path.join(self.out, "runs", "a_mix", f"seed_{seed}")
             gyration = numpy.linspace(-1, 20, 400)
             line = slope * numpy.log10(numpy.maximum(gyration, 1e-9))
-            self.write_densification(folder, gyration, numpy.where(gyration < 5, 0.3, 0.25 - line))
-            open(os.path.join(folder, "summary.json"), "w").close()
+            self.write_run("out", "a_mix", seed, {
+                "gyration": gyration, "air_voids": numpy.where(gyration < 5, 0.3, 0.25 - line)})
         # One that has not come to its end does not count.
-        folder = os.path.join(self.out, "runs", "a_mix", "seed_12")
-        self.write_densification(folder, numpy.linspace(0, 6, 100), numpy.full(100, 0.3))
+        self.write_run("out", "a_mix", 12, {"gyration": numpy.linspace(0, 6, 100),
+                                            "air_voids": numpy.full(100, 0.3)})
+        os.remove(os.path.join(self.out, "runs", "a_mix", "seed_12", "summary.json"))
         answer = run_script("plot_densification.py", self.out, "--from", "5")
         self.assertEqual(answer.returncode, 0, answer.stderr)
         self.assertIn("| a mix | 2 | 4.00 | 1.00 |", answer.stdout)
@@ -35,23 +36,67 @@ class StudyPlots(SmallRuns):
             file.create_group("settings/another")
         os.renames(os.path.join(self.out, "runs", "a_mix", "seed_1"),
                    os.path.join(self.out, "runs", "another", "seed_1"))
-        answer = run_script("plot_densification.py", self.out)
+        answer = run_script("plot_densification.py", self.out, "--from", "5")
         self.assertNotIn("| a mix |", answer.stdout)
         self.assertIn("| another | 1 | 3.00 | nan |", answer.stdout)
+        self.assertIn("runs/a_mix: left out, no setting of study.h5, which trade writes when all",
+                      answer.stderr)
         self.write_run("flow", "a_mix", 1, {"displacement": numpy.arange(50.0)})
         for folder, words in (
-                (self.folder("empty"), "expected results.h5"),
                 (self.folder("flow"), "a_mix/seed_1: expected a run of gyratory"),
                 (self.out, "below the 20 gyrations of this run, found 20; give --from 10")):
             refused = run_script("plot_densification.py", folder, "--from", "20")
-            self.assertNotEqual(refused.returncode, 0)
+            self.assertEqual(refused.returncode, 2)
             self.assertIn(words, refused.stderr.splitlines()[-1])
 
-    def write_densification(self, folder, gyration, air_voids):
-        os.makedirs(folder)
-        with h5py.File(os.path.join(folder, "results.h5"), "w") as file:
-            file["history/gyration"] = gyration
-            file["history/air_voids"] = air_voids
+    def test_what_cannot_be_drawn_is_told_in_a_line(self):
+        self.write_run("study", "a_mix", 1, {"gyration": numpy.arange(50.0),
+                                             "air_voids": numpy.full(50, 0.3)})
+        study = self.folder("study")
+        run = os.path.join(study, "runs", "a_mix", "seed_1")
+        shutil.copytree(run, self.folder("damaged"))
+        with open(os.path.join(self.folder("damaged"), "results.h5"), "r+b") as file:
+            file.truncate(1000)
+        os.makedirs(self.folder("damaged_study"))
+        with open(os.path.join(self.folder("damaged_study"), "study.h5"), "w") as file:
+            file.write("no HDF5")
+        os.makedirs(self.folder("begun/runs/a_mix/seed_1"))
+        os.makedirs(self.folder("tables"))
+        table = self.folder("tables/a.csv")
+        with open(table, "w") as file:
+            file.write("angle_deg,height_m\n1,2\n")
+        absent, before = self.folder("absent"), self.files()
+        no_such, of_run, of_study = "found no such folder", "found the folder of a run", \
+            "found the folder of a study; give one of its runs"
+        damaged = "damaged or another file"
+        for script, *cases in (
+                ("plot_run.py", (absent, no_such), (study, of_study),
+                 (self.folder("damaged"), damaged)),
+                ("render_run.py", (absent, no_such), (study, of_study),
+                 (self.folder("damaged"), damaged)),
+                ("stress_maps.py", (absent, no_such), (study, of_study),
+                 (run, "found none; run it"),
+                 (self.folder("tables"), "found none of its columns traction_Pa, hoop_stress_Pa")),
+                ("plot_path.py", (absent, "found no such file"), (run, "found a folder"),
+                 (table, "found none of its columns time_s")),
+                ("plot_trade.py", (absent, no_such), (run, of_run), (study, "found none yet"),
+                 (self.folder("damaged_study"), damaged)),
+                ("plot_densification.py", (absent, no_such), (self.folder("damaged"), damaged),
+                 (self.folder("begun"), "found none; go on by trade"),
+                 (self.folder("damaged_study"), damaged)),
+                ("plot_paper.py", (absent, no_such), (run, of_run),
+                 (study, "expected a study of the paper's mixes"))):
+            for given, words in cases:
+                refused = run_script(script, given)
+                self.assertEqual(refused.returncode, 2, (script, given, refused.stderr))
+                self.assertRegex(refused.stderr, 
+                                 r"^(\S+: left out, .*\n)?\S+: expected .*, found .*; .*\n$")
+                self.assertIn(words, refused.stderr)
+        self.assertEqual(self.files(), before)
+
+    def files(self):
+        return sorted(os.path.join(folder, name) for folder, _, names in os.walk(self.place.name)
+                      for name in names)
 
     def test_a_study_is_drawn_as_far_as_it_is_judged(self):
         os.makedirs(self.out)
@@ -78,7 +123,7 @@ class StudyPlots(SmallRuns):
             for setting in file["settings"].values():
                 setting.pop("height", None)
         refused = run_script("plot_trade.py", self.out)
-        self.assertNotEqual(refused.returncode, 0)
+        self.assertEqual(refused.returncode, 2)
         self.assertEqual(len(refused.stderr.splitlines()), 1)
 
     def test_the_paper_is_held_against_its_study(self):
