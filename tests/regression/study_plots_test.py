@@ -113,6 +113,15 @@ class StudyPlots(SmallRuns):
         answer = run_script("plot_trade.py", self.out)
         self.assertEqual(answer.returncode, 0, answer.stderr)
         self.assertRegex(answer.stderr, r"^unknown \(1 of 3 runs\): left out .*\n$")
+        # What is newer than study.h5 is told, by setting.
+        for setting, seed in ("new", 1), ("whole", 1), *(("in_part", seed) for seed in (1, 2, 3)):
+            self.write_run("out", setting, seed, {})
+        answer = run_script("plot_trade.py", self.out)
+        self.assertEqual(answer.returncode, 0, answer.stderr)
+        told = answer.stderr.splitlines()[:-1]
+        self.assertEqual(len(told), 2)
+        self.assertRegex(told[0], "runs/new: left out, no setting of study.h5, which trade writes")
+        self.assertRegex(told[1], "runs/in_part: drawn with 2 of its 3 runs, as in study.h5")
         with open(os.path.join(self.out, "trade.svg")) as file:
             self.assertIn("in part (2 of 3 runs)", file.read())
         sys.path.insert(0, os.path.join(SCENES, ".."))
