@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws how mixes densify: plot_densification.py DIR [--from 5] leaves DIR/densification.png and .svg,
+"""Draws how mixes densify: plot_densification.py DIR [--from 8] leaves DIR/densification.png and .svg,
 the density of a run of gyratory compaction, or of every finished run of a study, in per cent of its
 greatest (%Gmm = 100 less the air voids) over the logarithm of the gyrations, and prints the slope per
 decade of gyrations from the given one on, of a study by setting with the standard error over its seeds."""
@@ -73,7 +73,8 @@ def draw(settings, first):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("folder", type=pathlib.Path, help="of a run, or of trade --out")
-    parser.add_argument("--from", dest="first", type=float, default=5, help="gyrations")
+    parser.add_argument("--from", dest="first", type=float, default=FIRST,
+                        help="gyrations")
     options = parser.parse_args()
     settings = settings_of(options.folder)
     slopes_of = {name: [slope_of(run, options.first) for run in runs]

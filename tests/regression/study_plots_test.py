@@ -49,6 +49,15 @@ class StudyPlots(SmallRuns):
             self.assertEqual(refused.returncode, 2)
             self.assertIn(words, refused.stderr.splitlines()[-1])
 
+    def test_the_slope_of_a_single_gyration_is_found(self):
+        gyration = numpy.linspace(0, 1, 50)
+        self.write_run("out", "a_mix", 1, {
+            "gyration": gyration,
+            "air_voids": 0.2 - 0.03 * numpy.log10(numpy.maximum(gyration, 0.1))})
+        answer = run_script("plot_densification.py", self.out)
+        self.assertEqual(answer.returncode, 0, answer.stderr)
+        self.assertIn("| a mix | 1 | 3.00 | nan |", answer.stdout)
+
     def test_what_cannot_be_drawn_is_told_in_a_line(self):
         self.write_run("study", "a_mix", 1, {"gyration": numpy.arange(50.0),
                                              "air_voids": numpy.full(50, 0.3)})
