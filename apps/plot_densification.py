@@ -9,14 +9,14 @@ import pathlib
 import sys
 
 import matplotlib.pyplot as plt
-import numpy
+import numpy as np
 
 from plots import slope
 from plots.errors import InputError, exit_status_of
 from plots.folders import RUN, STUDY, expect
 from plots.run import Run
 from plots.study import runs_by_setting
-from plots.style import GREY, OF_CURVES, STYLE, save
+from plots.style import GREY, LINES, OF_CURVES, STYLE, save
 
 FIRST = 0.5  # gyrations: before, the head still settles
 
@@ -54,7 +54,7 @@ def settings_of(folder):
 
 def draw(settings, first):
     figure, axes = plt.subplots(figsize=(8, 5))
-    looks = itertools.product(("-", "--", ":", "-."), OF_CURVES)
+    looks = itertools.product(LINES, OF_CURVES)
     for (dashes, color), (name, runs) in zip(itertools.cycle(looks), settings.items()):
         for k, run in enumerate(runs):
             gyration = run.columns["gyration"]
@@ -86,8 +86,8 @@ def main():
     print(f"| setting | runs | %Gmm per decade from gyration {options.first:g} | +- |")
     print("|---|---:|---:|---:|")
     for name, slopes in slopes_of.items():
-        error = numpy.std(slopes, ddof=1) / len(slopes) ** 0.5 if len(slopes) > 1 else numpy.nan
-        print(f"| {name} | {len(slopes)} | {numpy.mean(slopes):.2f} | {error:.2f} |")
+        error = np.std(slopes, ddof=1) / len(slopes) ** 0.5 if len(slopes) > 1 else np.nan
+        print(f"| {name} | {len(slopes)} | {np.mean(slopes):.2f} | {error:.2f} |")
     print(options.folder / "densification.png", file=sys.stderr)
 
 

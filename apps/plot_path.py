@@ -11,10 +11,10 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from plots.errors import InputError, exit_status_of
-from plots.style import BLUE, GREEN, INK, RED, STYLE, save
+from plots.style import INK, OF_CURVES, STYLE, save
 from plots.tables import read_table
 
-COLOURS = [BLUE, RED, GREEN, "#762a83", "#e08214", "#4d4d4d"]
+COLOURS = [*OF_CURVES, "#e08214", "#4d4d4d"]
 COLUMNS = ["time_s", "overlap_m", "shear_m", "force_N", "binder_N", "stone_N", "shear_N",
            "bonded", "broken"]
 

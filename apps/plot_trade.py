@@ -9,7 +9,7 @@ import sys
 
 import h5py
 import matplotlib.pyplot as plt
-import numpy
+import numpy as np
 from matplotlib.text import Text
 from matplotlib.transforms import Bbox
 
@@ -26,7 +26,7 @@ class Setting:
         self.name = name.replace("_", " ")
         if not self.whole:
             self.name += f" ({self.counted} of {runs} runs)"
-        self.seconds = numpy.mean(group["seconds"][:])
+        self.seconds = np.mean(group["seconds"][:])
         known = {q: g for q, g in group.items() if isinstance(g, h5py.Group)}
         self.error = {q.replace("_", " "): g["error"][0] for q, g in known.items()}
         self.noise = {q.replace("_", " "): g["noise"][0] for q, g in known.items()}
@@ -36,7 +36,7 @@ class Setting:
 
 def front(settings):
     """Those whole ones that no other is both faster and better than, from fast to slow."""
-    best, kept = numpy.inf, []
+    best, kept = np.inf, []
     for setting in sorted(settings, key=lambda s: s.seconds):
         if setting.whole and setting.worst < best:
             best = setting.worst
@@ -90,9 +90,9 @@ def draw_front(axes, settings):
 
 def draw_errors(axes, settings):
     quantities = list(dict.fromkeys(q for s in settings for q in s.error))
-    share = numpy.array([[s.error.get(q, numpy.nan) / max(s.noise.get(q, 0), 1e-12)
+    share = np.array([[s.error.get(q, np.nan) / max(s.noise.get(q, 0), 1e-12)
                           for q in quantities] for s in settings])
-    axes.imshow(numpy.clip(share, 0, 3), cmap="Reds", vmin=0, vmax=3, aspect="auto")
+    axes.imshow(np.clip(share, 0, 3), cmap="Reds", vmin=0, vmax=3, aspect="auto")
     for row, s in enumerate(settings):
         for column, q in enumerate(quantities):
             if q in s.error:

@@ -2,7 +2,7 @@
 from .errors import InputError
 
 RUN, STUDY, TABLES = "the folder of a run", "the folder of a study", "a folder of tables (.csv)"
-NEW_RUN, OTHER = "a run without results yet", "a folder without results"
+NEW_RUN, OTHER = "a run without results yet", "another folder"
 FILE, ABSENT = "a file", "no such folder"
 
 ADVICE = {RUN: "plot_run.py draws it",

@@ -150,6 +150,15 @@ class Looks(SmallRuns):
             self.assertEqual(refused.returncode, 2)
             self.assertIn(words, refused.stderr)
 
+    def test_an_interrupted_watch_says_nothing(self):
+        sys.path.insert(0, os.path.join(SCENES, ".."))
+        from plots.errors import exit_status_of
+
+        def interrupted():
+            raise KeyboardInterrupt
+
+        self.assertEqual(exit_status_of(interrupted), 128 + signal.SIGINT)
+
     def test_classes_of_size_hold_the_stones_of_all_runs(self):
         sys.path.insert(0, os.path.join(SCENES, ".."))
         from types import SimpleNamespace
