@@ -103,6 +103,22 @@ class StudyPlots(SmallRuns):
                 self.assertIn(words, refused.stderr)
         self.assertEqual(self.files(), before)
 
+    def test_tables_are_drawn(self):
+        os.makedirs(self.out)
+        face, path = os.path.join(self.out, "face.csv"), self.folder("path.csv")
+        with open(face, "w") as file:
+            file.write("angle_deg,height_m,traction_Pa,hoop_stress_Pa\n")
+            for angle, height in itertools.product(range(0, 360, 90), (0, 0.1)):
+                file.write(f"{angle},{height},{1e3 * angle},{1e3 * height}\n")
+        with open(path, "w") as file:
+            file.write("time_s,overlap_m,shear_m,force_N,binder_N,stone_N,shear_N,bonded,broken\n")
+            file.writelines(f"{k},{k}e-6,0,{k},1,{k},0,{int(k < 5)},{int(k > 7)}\n" for k in range(9))
+        for script, given, picture in (("stress_maps.py", self.out, "out/face.png"),
+                                       ("plot_path.py", path, "path.png")):
+            answer = run_script(script, given)
+            self.assertEqual((answer.returncode, answer.stderr), (0, ""))
+            self.assertTrue(os.path.exists(self.folder(picture)))
+
     def files(self):
         return sorted(os.path.join(folder, name) for folder, _, names in os.walk(self.place.name)
                       for name in names)
