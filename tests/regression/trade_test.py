@@ -7,7 +7,7 @@ import subprocess
 import time
 
 import h5py
-from small_runs import BIN, SCENES, SmallRuns, run_named_test
+from small_runs import BIN, SCENES, SmallRuns, run_named_test, run_script
 
 STUDY = """[study]
 program = "flow_test"
