@@ -5,6 +5,8 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <thread>
@@ -28,16 +30,20 @@ struct Options {
   bool check = false, quiet = false;
 };
 
-// 0.01 or 1%, absent: 0.
+// 0.01 or 1%, absent: 0. A number of 1 or more needs its sign: it is hardly meant as a share.
 double tolerance_of(const std::string& text) {
   if (text.empty()) return 0;
   char* rest = nullptr;
   const double number = std::strtod(text.c_str(), &rest);
   const std::string unit = rest;
-  if (!(number > 0) || (!unit.empty() && unit != "%" && unit != " %"))
+  const bool in_percent = unit == "%" || unit == " %";
+  const bool whole = unit.empty() && number >= 1 && std::isfinite(number);
+  if (!(number > 0) || !std::isfinite(number) || whole || (!unit.empty() && !in_percent))
     throw apps::InputError(
-        {"--tolerance: expected a share above 0, found \"" + text + "\"; write it like 1%"});
-  return unit.empty() ? number : number / 100;
+        {"--tolerance: expected a share above 0, from 1 on with a percent sign, "
+         "found \"" +
+         text + "\"; write " + (whole ? text + '%' : "it like 1%")});
+  return in_percent ? number / 100 : number;
 }
 
 std::vector<apps::StudyRun> runs_of(const apps::Study& study, const std::string& out) {

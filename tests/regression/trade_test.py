@@ -75,6 +75,16 @@ class Trade(SmallRuns):
         self.assertTrue(all("the_same" in run for run in changed))
         self.assertIn("\n1 of the runs are of another build of the program.\n", again.stdout)
 
+    def test_a_tolerance_is_a_share_or_has_a_percent_sign(self):
+        for wrong in ("10", "1", "1e9", "inf", "inf%", "nan", "0", "-1%", "1 percent"):
+            answer = self.study(STUDY, "--check", f"--tolerance={wrong}")
+            self.assertEqual(answer.returncode, 2, wrong)
+            self.assertIn(f'found "{wrong}"; write ', answer.stderr)
+        self.assertIn("write 10%", self.study(STUDY, "--check", "--tolerance=10").stderr)
+        for right in ("0.1", "10%", "150 %"):
+            answer = self.study(STUDY, "--check", f"--tolerance={right}")
+            self.assertEqual(answer.returncode, 0, answer.stderr)
+
     def test_a_stopped_study_goes_on(self):
         process = subprocess.Popen(self.command(STUDY), stderr=subprocess.PIPE, text=True)
         scene = os.path.join(self.out, "runs/fine/seed_1/scene.toml")
