@@ -28,28 +28,34 @@ std::vector<Section> describe(Study& study, Numbers& numbers) {
              {"gyratory", "flow_test"}},
             {&study.scene, "scene", pure, unbounded, "from the folder of the study", "",
              required("\"scene.toml\"")},
-            {&numbers.seeds, "seeds", pure, at_least(0), "one run each, of every setting", "",
+            {&numbers.seeds, "seeds", pure, unbounded, "one run each, of every setting", "",
              required("[1, 2, 3]")},
             {&study.reference, "reference", pure, unbounded,
-             "name of the setting that errors are counted from", "", required("\"reference\"")}}}};
+             "name of the setting that errors are counted from", "", required("\"reference\"")}}},
+          {"base", "Keys of the scene, for all settings.", {}}};
 }
 
-// The keys of the scene below a section of the study, as overrides.
-std::vector<std::string> overrides_in(const Document& document, const std::string& section) {
-  std::vector<std::string> overrides;
+// Lays the keys of the scene that stand below a section of the study over those of the setting.
+void take_keys(const Document& document, const std::string& section, Setting& setting) {
   const std::string prefix = section + '.';
+  const auto take = [&](const std::string& key, const std::string& value, const Place& place) {
+    setting.overrides.push_back(key + '=' + value);
+    setting.places.insert_or_assign(key, place);
+  };
+  for (const auto& [name, place] : document.removed)
+    if (name.starts_with(prefix)) take(name.substr(prefix.size()), "none", place);
   for (const auto& [name, value] : document.values) {
     if (!name.starts_with(prefix)) continue;
     const std::string key = name.substr(prefix.size());
     const std::string* word = std::get_if<std::string>(&value.content);
-    if (key != "name")
-      overrides.push_back(key + '=' + (word && *word == "none" ? *word : value.written));
+    if (key != "name" || section == "base")
+      take(key, word && *word == "none" ? *word : value.written, value.key);
   }
-  return overrides;
 }
 
 void read_settings(Study& study, const Document& document, Mistakes& mistakes) {
-  const std::vector<std::string> base = overrides_in(document, "base");
+  Setting base;
+  take_keys(document, "base", base);
   for (std::size_t k = 0; k < document.repetitions("setting"); ++k) {
     const std::string section = repeated("setting", k);
     const Value* value = document.find(section + ".name");
@@ -59,12 +65,47 @@ void read_settings(Study& study, const Document& document, Mistakes& mistakes) {
                    value ? value->written : "nothing", "write it like name = \"draft\"");
       continue;
     }
-    Setting setting{*name, as_word(*name), base};
-    std::ranges::copy(overrides_in(document, section), std::back_inserter(setting.overrides));
+    Setting setting = base;
+    setting.name = *name;
+    setting.word = as_word(*name);
+    take_keys(document, section, setting);
     if (std::ranges::find(study.settings, setting.word, &Setting::word) != study.settings.end())
       mistakes.add(value->place, "a name unlike those above", value->written, "choose another");
     study.settings.push_back(std::move(setting));
   }
+}
+
+void refuse_section(const std::string& name, const Place& place, Mistakes& mistakes) {
+  const std::string word = name.substr(0, name.find('['));
+  if (word == "setting" && name != word)
+    return mistakes.add(place, "one of the settings, counted from setting[0]", name,
+                        "write it below [[setting]] instead");
+  const auto meant = nearest(word, {"study", "base", "setting"});
+  std::string advice = "remove it";
+  if (meant)
+    advice = "did you mean " + (*meant == "setting" ? "[[setting]]" : '[' + *meant + ']') + '?';
+  mistakes.add(place, "one of the sections [study], [base] and [[setting]]",
+               name == word ? '[' + name + ']' : "[[" + word + "]]", advice);
+}
+
+// Takes out what is for the program of the scene to check, and sections that no study has.
+void take_out_sections(Document& own, Mistakes& mistakes) {
+  std::set<std::string> known = {"study", "base"};
+  for (std::size_t k = 0; k < own.repetitions("setting"); ++k) known.insert(repeated("setting", k));
+  std::erase_if(own.sections, [&](const auto& section) {
+    const auto& [name, place] = section;
+    const bool is_refused = name.find('.') == std::string::npos && !known.contains(name);
+    if (is_refused) refuse_section(name, place, mistakes);
+    return is_refused;
+  });
+  const auto of_scene = [](const auto& item) {
+    return item.first.starts_with("base.") || item.first.starts_with("setting[");
+  };
+  std::erase_if(own.sections, of_scene);
+  std::erase_if(own.values, of_scene);
+  std::erase_if(own.removed, [&](const auto& item) {
+    return of_scene(item) && item.first.find('.') != std::string::npos;
+  });
 }
 
 void check(const Study& study, const Numbers& numbers, const Document& document,
@@ -122,12 +163,7 @@ Study read_study(const std::string& path, const std::vector<std::string>& overri
   Study study;
   Numbers numbers;
   Document own = document;
-  const auto of_scene = [](const auto& item) {
-    return item.first == "base" || item.first.starts_with("base.") ||
-           item.first.starts_with("setting[");
-  };
-  std::erase_if(own.values, of_scene);
-  std::erase_if(own.sections, of_scene);
+  take_out_sections(own, mistakes);
   read_sections(describe(study, numbers), own, units, mistakes);
   read_settings(study, document, mistakes);
   check(study, numbers, document, mistakes);

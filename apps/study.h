@@ -5,6 +5,7 @@
 //   [[setting]] name = "..."          keys of the scene, for this one
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,9 @@ namespace apps {
 
 struct Setting {
   std::string name;
-  std::string word;                    // the name as part of a path
-  std::vector<std::string> overrides;  // key=value, those of the base first
+  std::string word;                     // the name as part of a path
+  std::vector<std::string> overrides;   // key=value, those of the base first
+  std::map<std::string, Place> places;  // of their keys in the study
 };
 
 // All that a run of a scene depends on but its program: sections and keys that are given, one a

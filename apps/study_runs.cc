@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <set>
 #include <thread>
 
 #include "apps/errors.h"
@@ -87,7 +88,8 @@ class Fleet {
     if (read_text(traces.asked) != run.asked || stopped_by_other) traces.forget();
     run.other_build = of_other_build();
     run.finished = fs::exists(traces.summary);
-    if (const auto trouble = read_text(traces.stopped)) run.trouble = trimmed(*trouble);
+    if (const auto trouble = read_text(traces.stopped))
+      run.trouble = placed_in_study(trimmed(*trouble), run.places);
     if (run.finished || !run.trouble.empty()) return false;
     const bool begun = fs::exists(traces.asked) && fs::exists(traces.scene);
     std::vector<std::string> words = run.command;
@@ -116,8 +118,9 @@ class Fleet {
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : stopped + WTERMSIG(status);
     run.finished = code == ok;
     if (code == numerical_trouble || code == bad_input) {
-      run.trouble = last_line(traces.log);
-      write_whole_file(traces.stopped, run.trouble);
+      const std::string trouble = last_line(traces.log);
+      run.trouble = placed_in_study(trouble, run.places);
+      write_whole_file(traces.stopped, trouble);
     } else if (code != ok && !told_ && !(stop_signal() && code >= stopped)) {
       trouble_ = run.folder + ": " + last_line(traces.log) + " (status " + std::to_string(code) +
                  "; all of it in " + traces.log + ')';
@@ -166,11 +169,22 @@ void carry_out(std::vector<StudyRun>& runs, int at_once,
     throw Stopped(stop_signal(), "stopped; the same command goes on where the runs were");
 }
 
+std::string placed_in_study(const std::string& line, const std::map<std::string, Place>& places) {
+  const std::string option = "--set ";
+  const auto end = line.find(": ");
+  if (!line.starts_with(option) || end == std::string::npos) return line;
+  const auto found = places.find(line.substr(option.size(), end - option.size()));
+  return found == places.end() ? line : found->second.text() + line.substr(end);
+}
+
 std::vector<std::string> objections(const std::vector<StudyRun>& runs) {
   std::vector<std::string> lines;
+  std::map<std::string, std::set<std::string>> settings;  // by line
+  std::set<std::string> all;
   const std::string log =
       fs::temp_directory_path() / ("trade_check_" + std::to_string(getpid()) + ".log");
   for (const StudyRun& run : runs) {
+    all.insert(run.setting);
     std::vector<std::string> words = run.command;
     words.insert(words.end(), {"--check", "--quiet"});
     int status = 0;
@@ -178,11 +192,19 @@ std::vector<std::string> objections(const std::vector<StudyRun>& runs) {
     if (WIFEXITED(status) && WEXITSTATUS(status) == ok) continue;
     std::string text = read_text(log).value_or("");
     for (std::size_t end; (end = text.find('\n')) != std::string::npos; text.erase(0, end + 1)) {
-      const std::string line = text.substr(0, end);
-      if (std::ranges::find(lines, line) == lines.end()) lines.push_back(line);
+      const std::string line = placed_in_study(text.substr(0, end), run.places);
+      if (!settings.contains(line)) lines.push_back(line);
+      settings[line].insert(run.setting);
     }
   }
   fs::remove(log);
+  for (std::string& line : lines) {
+    const std::set<std::string>& of = settings.at(line);
+    if (of.size() == all.size()) continue;
+    std::string names;
+    for (const std::string& name : of) names += (names.empty() ? "" : ", ") + name;
+    line += " (setting " + names + ')';
+  }
   return lines;
 }
 

@@ -4,8 +4,11 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
+
+#include "apps/mistakes.h"
 
 namespace apps {
 
@@ -13,6 +16,8 @@ struct StudyRun {
   std::string folder;
   std::vector<std::string> command;  // program, scene and --set options
   std::string asked;                 // program and all of the scene: by this a run is known again
+  std::string setting;               // its name
+  std::map<std::string, Place> places;  // in the study, of the keys of the --set options
 
   // Afterwards.
   bool finished = false;
@@ -27,7 +32,11 @@ struct StudyRun {
 void carry_out(std::vector<StudyRun>& runs, int at_once,
                const std::function<void(std::size_t over)>& look);
 
-// What --check of every run says against it, a line each, none twice.
+// A mistake that a program tells of its --set option, with the place of the key in the study.
+std::string placed_in_study(const std::string& line, const std::map<std::string, Place>& places);
+
+// What --check of every run says against it, a line each, none twice; with the settings that it is
+// about where it is not about all.
 std::vector<std::string> objections(const std::vector<StudyRun>& runs);
 
 }  // namespace apps

@@ -53,6 +53,8 @@ std::vector<apps::StudyRun> runs_of(const apps::Study& study, const std::string&
     for (const int seed : study.seeds) {
       apps::StudyRun run;
       run.folder = fmt::format("{}/runs/{}/seed_{}", out, setting.word, seed);
+      run.setting = setting.name;
+      run.places = setting.places;
       run.command = {programs / study.program, study.scene};
       std::vector<std::string> overrides = setting.overrides;
       overrides.push_back(fmt::format("run.seed={}", seed));

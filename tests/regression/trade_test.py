@@ -104,6 +104,11 @@ class Trade(SmallRuns):
         self.assertIn("numerics.safety", answer.stderr)
         self.assertEqual(len(answer.stderr.splitlines()), 1)
         self.assertEqual(self.runs(), {})
+        self.assertRegex(answer.stderr, r"study.toml:18:10: expected .* \(setting the same\)\n$")
+        every = self.study(STUDY.replace("stones.count", "stones.cuont"))
+        self.assertRegex(every.stderr, r"^\S*study.toml:7:8: expected a known key, .*count\"\?\n$")
+        option = self.study(STUDY, "--set", "setting[1].numerics.savety=0.1")
+        self.assertRegex(option.stderr, r"^--set setting\[1\].numerics.savety: expected a known key")
 
     def test_a_run_in_numerical_trouble_is_told(self):
         crushed = STUDY.replace(

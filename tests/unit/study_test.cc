@@ -8,12 +8,14 @@
 #include <random>
 
 #include "apps/study_errors.h"
+#include "apps/study_runs.h"
 #include "tests/unit/recorder_fixture.h"
 #include "tests/unit/written_file.h"
 
 namespace apps {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -38,9 +40,10 @@ class StudyTest : public testing::Test {
   Study read(const std::string& text, const std::vector<std::string>& overrides = {}) {
     return read_study(files_.write("study.toml", text), overrides);
   }
-  std::vector<std::string> mistakes(const std::string& text) {
+  std::vector<std::string> mistakes(const std::string& text,
+                                    const std::vector<std::string>& overrides = {}) {
     try {
-      read(text);
+      read(text, overrides);
     } catch (const InputError& error) {
       return error.mistakes;
     }
@@ -79,6 +82,41 @@ TEST_F(StudyTest, reports_every_mistake_with_its_place) {
   EXPECT_THAT(mistakes("[study]\nprogram = \"gyratory\"\nscene = \"scene.toml\"\n"
                        "seeds = [3, 3]\nreference = \"a\"\n[[setting]]\nname = \"a\"\n"),
               ElementsAre(HasSubstr(":4:9: expected for study.seeds no number twice")));
+}
+
+TEST_F(StudyTest, knows_where_the_keys_of_its_settings_stand) {
+  const Study study = read(std::string(sound) + "gyration.count = 2\n", {"base.stones.count=9"});
+  const auto &fine = study.settings[0].places, &rigid = study.settings[1].places;
+  EXPECT_EQ(fine.at("gyration.count").text(), study.path + ":7:10");
+  EXPECT_EQ(rigid.at("gyration.count").text(), study.path + ":14:10");
+  EXPECT_EQ(rigid.at("stones.count").text(), "--set base.stones.count");
+  const std::string mistake = ": expected a known key, found \"a: b\"; remove it";
+  EXPECT_EQ(placed_in_study("--set gyration.count" + mistake, rigid),
+            study.path + ":14:10" + mistake);
+  EXPECT_EQ(placed_in_study("scene.toml:3:1" + mistake, rigid), "scene.toml:3:1" + mistake);
+  EXPECT_EQ(placed_in_study("--set run.seed" + mistake, rigid), "--set run.seed" + mistake);
+}
+
+TEST_F(StudyTest, takes_keys_away_by_an_option_as_in_its_file) {
+  const Study study = read(sound, {"base.gyration.count=none", "setting[0].stones.count=none"});
+  EXPECT_THAT(study.settings[0].overrides, ElementsAre("gyration.count=none", "stones.count=none"));
+}
+
+TEST_F(StudyTest, offers_the_sections_that_it_knows) {
+  const std::string study = sound;
+  EXPECT_THAT(mistakes(study + "[bas]\nstones.count = 3\n[[settings]]\nname = \"a\"\n"),
+              ElementsAre(HasSubstr(":14:1: expected one of the sections [study], [base] and "
+                                    "[[setting]], found [bas]; did you mean [base]?"),
+                          HasSubstr(":16:1: expected one of the sections [study], [base] and "
+                                    "[[setting]], found [[settings]]; did you mean [[setting]]?")));
+  EXPECT_THAT(mistakes(study.substr(0, study.find("[[")) + "[setting]\nname = \"fine\"\n"),
+              Contains(HasSubstr(":8:1: expected one of the sections [study], [base] and "
+                                 "[[setting]], found [setting]; did you mean [[setting]]?")));
+  EXPECT_THAT(mistakes("base = 3\n" + study),
+              Contains(HasSubstr(":1:8: expected a section [base], found one value, 3")));
+  EXPECT_THAT(mistakes(study, {"setting[3].stones.count=3"}),
+              ElementsAre(HasSubstr("--set setting[3].stones.count: expected one of the settings, "
+                                    "counted from setting[0], found setting[3]")));
 }
 
 TEST_F(StudyTest, knows_a_run_by_all_of_its_scene) {
