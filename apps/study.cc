@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "apps/parameters.h"
@@ -53,11 +54,19 @@ void take_keys(const Document& document, const std::string& section, Setting& se
   }
 }
 
+void refuse_seed(const Document& document, const std::string& section, Mistakes& mistakes) {
+  if (const Value* seed = document.find(section + ".run.seed"))
+    mistakes.add(seed->key, "all seeds in study.seeds", "run.seed = " + seed->written,
+                 "remove it, every setting runs with the same seeds");
+}
+
 void read_settings(Study& study, const Document& document, Mistakes& mistakes) {
   Setting base;
   take_keys(document, "base", base);
+  refuse_seed(document, "base", mistakes);
   for (std::size_t k = 0; k < document.repetitions("setting"); ++k) {
     const std::string section = repeated("setting", k);
+    refuse_seed(document, section, mistakes);
     const Value* value = document.find(section + ".name");
     const std::string* name = value ? std::get_if<std::string>(&value->content) : nullptr;
     if (!name || name->empty()) {
@@ -69,8 +78,11 @@ void read_settings(Study& study, const Document& document, Mistakes& mistakes) {
     setting.name = *name;
     setting.word = as_word(*name);
     take_keys(document, section, setting);
+    if (setting.word.empty() || setting.word == "." || setting.word == "..")
+      mistakes.add(value->place, "a name that a folder can have", value->written, "choose another");
     if (std::ranges::find(study.settings, setting.word, &Setting::word) != study.settings.end())
-      mistakes.add(value->place, "a name unlike those above", value->written, "choose another");
+      mistakes.add(value->place, "a name whose folder, " + setting.word + ", none above has",
+                   value->written, "choose another");
     study.settings.push_back(std::move(setting));
   }
 }
@@ -113,14 +125,15 @@ void check(const Study& study, const Numbers& numbers, const Document& document,
   if (study.settings.empty())
     mistakes.add({document.path, 1, 1}, "a section [[setting]]", "none", "add some");
   if (const Value* seeds = document.find("study.seeds")) {
-    for (const double seed : numbers.seeds)
-      if (seed != std::floor(seed))
-        mistakes.add(seeds->place, "for study.seeds whole numbers", seeds->written, "round them");
+    const auto is_seed = [](double seed) {
+      return seed == std::floor(seed) && seed >= 0 && seed <= std::numeric_limits<int>::max();
+    };
+    if (!std::ranges::all_of(numbers.seeds, is_seed))
+      mistakes.add(seeds->place, "for study.seeds whole numbers from 0 to 2147483647",
+                   seeds->written, "write for example seeds = [1, 2, 3]");
     if (std::set(numbers.seeds.begin(), numbers.seeds.end()).size() < numbers.seeds.size())
       mistakes.add(seeds->place, "for study.seeds no number twice", seeds->written,
                    "a run that is counted twice scatters too little");
-    if (numbers.seeds.empty())
-      mistakes.add(seeds->place, "for study.seeds at least one", seeds->written, "add some");
   }
   const Value* reference = document.find("study.reference");
   if (reference && !study.settings.empty() &&

@@ -119,6 +119,40 @@ TEST_F(StudyTest, offers_the_sections_that_it_knows) {
                                     "counted from setting[0], found setting[3]")));
 }
 
+TEST_F(StudyTest, has_seeds_that_a_scene_can_have) {
+  const std::string study = sound;
+  const auto with = [&](const std::string& seeds) {
+    return mistakes(std::string(study).replace(study.find("[1, 2]"), 6, seeds));
+  };
+  for (const std::string seeds : {"[1.5, -2]", "[3000000000]", "[1e300]", "[-1]"})
+    EXPECT_THAT(with(seeds), ElementsAre(HasSubstr(":4:9: expected for study.seeds whole numbers "
+                                                   "from 0 to 2147483647, found ")))
+        << seeds;
+  EXPECT_THAT(with("3"), ElementsAre(HasSubstr(":4:9: expected for study.seeds a list of numbers, "
+                                               "found 3; write for example seeds = [1, 2, 3]")));
+  EXPECT_THAT(with("[]"), ElementsAre(HasSubstr("a list of numbers, found []")));
+  EXPECT_THAT(with("[0, 2147483647]"), ElementsAre());
+}
+
+TEST_F(StudyTest, has_its_seeds_in_one_place) {
+  EXPECT_THAT(
+      mistakes(std::string(sound) + "run.seed = 7\n", {"base.run.seed=3"}),
+      ElementsAre("--set base.run.seed: expected all seeds in study.seeds, found run.seed = "
+                  "3; remove it, every setting runs with the same seeds",
+                  HasSubstr(":14:5: expected all seeds in study.seeds, found run.seed = 7")));
+}
+
+TEST_F(StudyTest, has_a_folder_of_its_own_for_every_setting) {
+  const std::string study = sound;
+  for (const std::string name : {".", "..", ","})
+    EXPECT_THAT(mistakes(study + "[[setting]]\nname = \"" + name + "\"\n"),
+                ElementsAre(HasSubstr(":15:8: expected a name that a folder can have")))
+        << name;
+  EXPECT_THAT(
+      mistakes(study + "[[setting]]\nname = \"rigid,/steel\"\n"),
+      ElementsAre(HasSubstr(":15:8: expected a name whose folder, rigid_steel, none above")));
+}
+
 TEST_F(StudyTest, knows_a_run_by_all_of_its_scene) {
   const std::string base = files_.write("base.toml", "[stones]\ngradation = \"sieves.csv\"\n");
   const std::string scene =
