@@ -12,6 +12,7 @@
 #include <functional>
 #include <map>
 #include <set>
+#include <sstream>
 #include <thread>
 
 #include "apps/errors.h"
@@ -67,6 +68,25 @@ struct Traces {
 std::string last_line(const std::string& log) {
   const std::string text = trimmed(read_text(log).value_or(""));
   return text.substr(text.rfind('\n') + 1);
+}
+
+struct Answer {
+  bool accepted = false;
+  std::vector<std::string> lines;
+};
+
+Answer checked(const StudyRun& run, const std::vector<std::string>& options) {
+  const std::string log =
+      fs::temp_directory_path() / ("trade_check_" + std::to_string(getpid()) + ".log");
+  std::vector<std::string> words = run.command;
+  words.insert(words.end(), options.begin(), options.end());
+  int status = 0;
+  waitpid(start(words, log), &status, 0);
+  Answer answer = {WIFEXITED(status) && WEXITSTATUS(status) == ok, {}};
+  std::istringstream text(read_text(log).value_or(""));
+  for (std::string line; std::getline(text, line);) answer.lines.push_back(line);
+  fs::remove(log);
+  return answer;
 }
 
 class Fleet {
@@ -181,23 +201,16 @@ std::vector<std::string> objections(const std::vector<StudyRun>& runs) {
   std::vector<std::string> lines;
   std::map<std::string, std::set<std::string>> settings;  // by line
   std::set<std::string> all;
-  const std::string log =
-      fs::temp_directory_path() / ("trade_check_" + std::to_string(getpid()) + ".log");
   for (const StudyRun& run : runs) {
     all.insert(run.setting);
-    std::vector<std::string> words = run.command;
-    words.insert(words.end(), {"--check", "--quiet"});
-    int status = 0;
-    waitpid(start(words, log), &status, 0);
-    if (WIFEXITED(status) && WEXITSTATUS(status) == ok) continue;
-    std::string text = read_text(log).value_or("");
-    for (std::size_t end; (end = text.find('\n')) != std::string::npos; text.erase(0, end + 1)) {
-      const std::string line = placed_in_study(text.substr(0, end), run.places);
+    const Answer answer = checked(run, {"--check", "--quiet"});
+    if (answer.accepted) continue;
+    for (const std::string& told : answer.lines) {
+      const std::string line = placed_in_study(told, run.places);
       if (!settings.contains(line)) lines.push_back(line);
       settings[line].insert(run.setting);
     }
   }
-  fs::remove(log);
   for (std::string& line : lines) {
     const std::set<std::string>& of = settings.at(line);
     if (of.size() == all.size()) continue;
@@ -206,6 +219,15 @@ std::vector<std::string> objections(const std::vector<StudyRun>& runs) {
     line += " (setting " + names + ')';
   }
   return lines;
+}
+
+std::string forecast(const StudyRun& run) {
+  std::string told;
+  for (const std::string& line : checked(run, {"--check", "--threads", "1"}).lines)
+    for (const std::string name : {"steps ", "time to take "})
+      if (line.starts_with(name))
+        told += (told.empty() ? "" : ", ") + name + trimmed(line.substr(name.size()));
+  return told;
 }
 
 }  // namespace apps

@@ -39,4 +39,7 @@ std::string placed_in_study(const std::string& line, const std::map<std::string,
 // about where it is not about all.
 std::vector<std::string> objections(const std::vector<StudyRun>& runs);
 
+// What --check of a run says of its steps and of the time that they take.
+std::string forecast(const StudyRun& run);
+
 }  // namespace apps

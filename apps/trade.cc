@@ -76,12 +76,23 @@ void claim(const std::string& out, const apps::Study& study) {
   apps::write_whole_file(file, name);
 }
 
+// Each setting by its first seed: steel takes seconds to prepare.
+void foretell(const apps::Study& study, const std::vector<apps::StudyRun>& runs) {
+  std::cout << fmt::format("{} settings, {} seeds: {} runs\n", study.settings.size(),
+                           study.seeds.size(), runs.size());
+  for (std::size_t k = 0; k < runs.size(); k += study.seeds.size()) {
+    std::cout << runs[k].setting << ": " << std::flush;
+    std::cout << apps::forecast(runs[k]) << std::endl;
+  }
+}
+
 int trade(const Options& options) {
   const double tolerance = tolerance_of(options.tolerance);
   const apps::Study study = apps::read_study(options.study, options.overrides);
   std::vector<apps::StudyRun> runs = runs_of(study, options.out);
   const std::vector<std::string> objections = apps::objections(runs);
   if (!objections.empty()) throw apps::InputError(objections);
+  if (options.check && !options.quiet) foretell(study, runs);
   if (options.check) return apps::ok;
   const apps::FolderLock lock(options.out);
   claim(options.out, study);
@@ -117,7 +128,7 @@ int main(int argc, char** argv) {
   app.add_option(
       "--tolerance", options.tolerance,
       "as 1%: name the cheapest setting that shows no error above, and what the noise hides");
-  app.add_flag("--check", options.check, "read and check the study, run nothing");
+  app.add_flag("--check", options.check, "read and check the study, say what its runs will be");
   app.add_flag("--quiet", options.quiet, "print no progress");
   try {
     app.parse(argc, argv);

@@ -85,6 +85,16 @@ class Trade(SmallRuns):
             answer = self.study(STUDY, "--check", f"--tolerance={right}")
             self.assertEqual(answer.returncode, 0, answer.stderr)
 
+    def test_check_says_what_the_runs_will_be(self):
+        line = self.command(STUDY, "--check")
+        line.remove("--quiet")
+        answer = subprocess.run(line, capture_output=True, text=True)
+        self.assertEqual(answer.returncode, 0, answer.stderr)
+        told = r": steps about \d.*, time to take about \d.*\n"
+        self.assertRegex(answer.stdout, f"^2 settings, 2 seeds: 4 runs\nfine{told}the same{told}$")
+        self.assertEqual(self.runs(), {})
+        self.assertEqual(self.study(STUDY, "--check").stdout, "")
+
     def test_a_stopped_study_goes_on(self):
         process = subprocess.Popen(self.command(STUDY), stderr=subprocess.PIPE, text=True)
         scene = os.path.join(self.out, "runs/fine/seed_1/scene.toml")
