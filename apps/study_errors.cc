@@ -90,6 +90,17 @@ double student(double freedom) {
   return boost::math::quantile(boost::math::students_t(freedom), 0.975);
 }
 
+bool has_none(const BySeed& runs) {
+  return std::ranges::all_of(runs, [](const auto& run) {
+    return std::ranges::all_of(run.second, [](double point) { return point == 0; });
+  });
+}
+
+// In n runs of the setting and of the reference, told in parts of a size.
+Judgement none_in(std::size_t n, double size) {
+  return {0, 0, 3 / (static_cast<double>(n) * size), true, static_cast<int>(n)};
+}
+
 bool lacks(const BySeed& runs) {
   return runs.size() < 2 ||
          std::ranges::any_of(runs, [](const auto& run) { return run.second.empty(); });
@@ -147,6 +158,7 @@ Judgement judge(const BySeed& setting, const BySeed& reference, double least_siz
                            std::minus<>());
   }
   if (lacks(expected)) return {};
+  if (has_none(expected) && has_none(difference)) return none_in(expected.size(), least_size);
   const double size = std::max(rms(statistics(expected).mean), least_size);
   const auto [mean, deviation] = statistics(difference);
   const auto n = static_cast<double>(difference.size());
@@ -156,6 +168,7 @@ Judgement judge(const BySeed& setting, const BySeed& reference, double least_siz
 
 Judgement scatter(const BySeed& reference, double least_size) {
   if (lacks(reference)) return {};
+  if (has_none(reference)) return none_in(reference.size(), least_size);
   const auto [mean, deviation] = statistics(reference);
   const auto n = static_cast<double>(reference.size());
   const double size = std::max(rms(mean), least_size);

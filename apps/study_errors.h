@@ -6,7 +6,9 @@
 //   noise = t / sqrt(n) x rms over the points of the standard deviation of that difference / size,
 // with the rms of the reference's mean as size, and t for n - 1 degrees of freedom and 95 %
 // (Student, 1908). A difference that is nothing but chance stays below the noise in 19 of 20 cases:
-// what is inside it is no error.
+// what is inside it is not told from chance. Where all is zero, in each of n seeds of both, nothing
+// scatters, and yet what happens up to 3 / n times in a run may have stayed away: exp(-3) is one in
+// 20 (the rule of three, Hanley and Lippman-Hand, 1983). That, over the size, is the noise then.
 #pragma once
 
 #include <map>
@@ -42,6 +44,7 @@ struct Judgement {
   int sign = 0;        // of the difference where it is of one number: 1 or -1
   double noise = 0;    // [-]
   bool known = false;  // false: a run lacks the quantity, or fewer than two seeds are common
+  int none_in = 0;     // runs of each of the two, where no run has any
   bool beyond() const { return known && error > noise; }
 };
 

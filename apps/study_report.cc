@@ -32,6 +32,7 @@ std::string percent(double share) {
 
 // "-3.6 ± 28 %": the error and the noise of the two.
 std::string told(const Judgement& j) {
+  if (j.none_in > 0) return fmt::format("none in {} runs", j.none_in);
   const char* sign = j.sign < 0 ? "-" : j.sign > 0 ? "+" : "";
   const std::string error =
       fmt::format("{}{} ± {} %", sign, in_percent(j.error), in_percent(j.noise));
@@ -112,7 +113,7 @@ std::string StudyReport::line(const Row& row) const {
   for (const Judgement& j : row.judgement) {
     if (!j.known)
       line += "- | ";
-    else if (&row == &reference())
+    else if (&row == &reference() && j.none_in == 0)
       line += fmt::format("± {} | ", percent(j.noise));
     else
       line += told(j) + " | ";
@@ -143,7 +144,8 @@ std::string StudyReport::table() const {
       "such pairs is off by at most, in 19 of 20 cases, if only chance tells them apart; in the "
       "line of the reference, what two means of seeds of their own would be. Below it stand its "
       "means, angles in degrees, all else in SI units. Errors beyond the noise are bold; the "
-      "others are none.\n\n",
+      "others are not told from chance, and may be as large as error and noise together. What none "
+      "of n runs shows may still happen 3 / n times in a run.\n\n",
       study_.reference, seeds);
   if (of_other_builds_ > 0)
     text +=
@@ -205,10 +207,15 @@ std::string StudyReport::cheapest(double tolerance) const {
       "cheapest that shows no error above {}: {} ({:.3g} s, {:.2g} times faster than {})",
       percent(tolerance), best->setting->name, best->mean_seconds(),
       reference().mean_seconds() / best->mean_seconds(), study_.reference);
-  for (std::size_t q = 0; q < interest_.quantities.size(); ++q)
-    if (best->judgement[q].known && best->judgement[q].noise > tolerance)
-      text += fmt::format("\n  {}: the noise, {}, hides more than that; take more seeds",
-                          interest_.quantities[q].name, percent(best->judgement[q].noise));
+  for (std::size_t q = 0; q < interest_.quantities.size(); ++q) {
+    const Judgement& j = best->judgement[q];
+    if (!j.known || j.noise <= tolerance) continue;
+    text += "\n  " + interest_.quantities[q].name + ": ";
+    text += j.none_in > 0 ? fmt::format("none in {} runs, there may be {:.2g} in one", j.none_in,
+                                        3.0 / j.none_in)
+                          : fmt::format("the noise, {}, hides more than that", percent(j.noise));
+    text += "; take more seeds";
+  }
   return text;
 }
 

@@ -56,6 +56,9 @@ class Trade(SmallRuns):
         answer = self.study(STUDY, "--tolerance", "1%")
         self.assertEqual(answer.returncode, 0, answer.stderr)
         self.assertIn("cheapest that shows no error above 1.0 %", answer.stdout)
+        # No stone breaks in two runs: up to 3 / 2 a run are not told from none.
+        self.assertEqual(answer.stdout.count("| none in 2 runs |"), 2)
+        self.assertIn("\n  fractured stones: none in 2 runs, there may be 1.5 in one", answer.stdout)
         with h5py.File(os.path.join(self.out, "study.h5")) as file:
             same = file["settings/the_same"]
             self.assertEqual(len(same["seconds"]), 2)

@@ -209,6 +209,21 @@ TEST(study_errors, do_not_lie_in_one_seed) {
   EXPECT_FALSE(judge(one, none, 1).beyond());
 }
 
+TEST(study_errors, of_what_no_run_has_are_at_most_three_per_run_over_their_number) {
+  // Poisson: what happens 3 / n times in a run stays away from n runs in exp(-3) of the cases.
+  BySeed none, one;
+  for (int seed = 1; seed <= 6; ++seed) none[seed] = one[seed] = {0};
+  one[3] = {1};
+  for (const Judgement& j : {judge(none, none, 2), scatter(none, 2)}) {
+    EXPECT_EQ(j.none_in, 6);
+    EXPECT_NEAR(j.noise, 3.0 / 6 / 2, 1e-15);
+    EXPECT_FALSE(j.beyond());
+  }
+  EXPECT_EQ(judge(one, none, 1).none_in, 0);
+  EXPECT_EQ(judge(one, one, 1).none_in, 0);
+  EXPECT_EQ(scatter(one, 1).none_in, 0);
+}
+
 TEST(study_errors, of_chance_alone_stay_inside_the_noise_in_19_of_20_cases) {
   // 4000 studies of five seeds of normal numbers; the share scatters by 0.0034.
   std::mt19937 random(7);
