@@ -66,6 +66,11 @@ std::optional<double> number(const Field& field, double most, const std::string&
   return value;
 }
 
+bool starts_as_number(const std::string& text) {
+  double value = 0;
+  return std::from_chars(text.data(), text.data() + text.size(), value).ec == std::errc();
+}
+
 }  // namespace
 
 dem::SieveTable read_sieve_table(const std::string& path, const Place& asked, Mistakes& mistakes) {
@@ -76,15 +81,21 @@ dem::SieveTable read_sieve_table(const std::string& path, const Place& asked, Mi
                  "give the path from the folder of the scene");
     return table;
   }
-  std::vector<Row> rows = rows_of(*text, path);
-  if (rows.empty() || joined(rows.front()) != header) {
+  std::vector<Row> rows = rows_of(without_mark(*text), path);
+  const std::string first = rows.empty() ? "" : joined(rows.front());
+  const bool is_row = starts_as_number(first);
+  if (first != header) {
+    const bool semicolons = first.find(';') != std::string::npos;
+    const std::string found = rows.empty() ? "an empty file" : '"' + first + '"';
     mistakes.add(rows.empty() ? Place{path, 1, 1} : rows.front().place,
                  std::string("the header ") + header,
-                 rows.empty() ? "an empty file" : '"' + joined(rows.front()) + '"',
-                 "put the header before the first row");
-  } else {
-    rows.erase(rows.begin());
+                 found + (semicolons ? " with semicolons" : ""),
+                 semicolons ? "write commas between the columns, points in the numbers: 11.2,95"
+                 : is_row   ? "put the header before the first row"
+                            : "write it as the first row");
+    if (semicolons) return table;  // no row has two columns then
   }
+  if (!rows.empty() && !is_row) rows.erase(rows.begin());
   constexpr double coarsest = 1000;  // a wider opening [mm] was meant in another unit
   for (const Row& row : rows) {
     if (row.fields.size() != 2) {

@@ -34,6 +34,12 @@ std::optional<std::string> read_text(const std::string& path) {
   return text;
 }
 
+std::string without_mark(std::string text) {
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  if (text.starts_with(mark)) text.erase(0, mark.size());
+  return text;
+}
+
 std::string trimmed(std::string_view text) {
   constexpr std::string_view white = " \t\r\n";
   const auto first = text.find_first_not_of(white);

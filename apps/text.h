@@ -11,6 +11,9 @@ namespace apps {
 // The content of a file; nothing if it is missing, a folder, or cannot be read.
 std::optional<std::string> read_text(const std::string& path);
 
+// Without the byte-order mark that spreadsheets put before UTF-8.
+std::string without_mark(std::string text);
+
 // Without the white space around it.
 std::string trimmed(std::string_view text);
 

@@ -9,6 +9,7 @@ namespace {
 
 using apps::Mistakes;
 using apps::Place;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -45,6 +46,21 @@ TEST_F(SieveTable, may_end_its_lines_as_a_spreadsheet_does) {
   EXPECT_THAT(table.passing, ElementsAre(0.25, 1.0));
 }
 
+TEST_F(SieveTable, may_begin_with_a_byte_order_mark) {
+  // Excel puts EF BB BF before what it saves as "CSV UTF-8".
+  const auto table = read("\xEF\xBB\xBFsieve_mm,passing_percent\r\n2,25\r\n16,100\r\n");
+  EXPECT_THAT(mistakes_.lines(), ElementsAre());
+  EXPECT_THAT(table.passing, ElementsAre(0.25, 1.0));
+}
+
+TEST_F(SieveTable, has_commas_between_its_columns) {
+  // A German Excel writes semicolons, and commas into the numbers: told once, not once a row.
+  read("sieve_mm;passing_percent\n5,6;40\n11,2;95\n16;100\n");
+  EXPECT_THAT(mistakes_.lines(),
+              ElementsAre(AllOf(StartsWith(at("1:1") + "the header"), HasSubstr("semicolons"),
+                                HasSubstr("commas between the columns"))));
+}
+
 TEST_F(SieveTable, names_every_faulty_field) {
   // Position of each field: its line and the column of its first character, both from 1.
   read(
@@ -64,6 +80,12 @@ TEST_F(SieveTable, names_every_faulty_field) {
 TEST_F(SieveTable, needs_its_header) {
   // A table without units could be in inches.
   read("2,25\n16,100\n");
+  EXPECT_THAT(mistakes_.lines(), ElementsAre(StartsWith(at("1:1") + "the header")));
+}
+
+TEST_F(SieveTable, does_not_read_numbers_from_another_header) {
+  // What is wrong with the line is told once: it is a header, and not the one that is asked for.
+  read("sieve,passing\n2,25\n16,100\n");
   EXPECT_THAT(mistakes_.lines(), ElementsAre(StartsWith(at("1:1") + "the header")));
 }
 
