@@ -14,6 +14,8 @@
 namespace apps {
 namespace {
 
+constexpr std::string_view header = "x,y,z,radius";
+
 // The number that all of `text` is; nothing if it is something else.
 std::optional<double> number(std::string_view text) {
   double value = 0;
@@ -87,18 +89,22 @@ BedFile read_bed_file(const std::string& path, Mistakes& mistakes) {
     mistakes.add({path}, "a table of stones", "no file to read", "mend the path");
     return bed;
   }
+  const std::string table = without_mark(*text);
   int number_of_line = 0;
-  for (std::size_t begin = 0; begin < text->size();) {
-    const std::size_t end = std::min(text->find('\n', begin), text->size());
-    const std::string line = text->substr(begin, end - begin);
+  bool first = true;  // of the rows, which may be the header
+  for (std::size_t begin = 0; begin < table.size();) {
+    const std::size_t end = std::min(table.find('\n', begin), table.size());
+    const std::string line = table.substr(begin, end - begin);
     begin = end + 1;
     const Place place = {path, ++number_of_line, 1};
     const std::string content = trimmed(line);
     if (content.empty()) continue;
-    if (content.front() == '#')
+    if (content.front() == '#') {
       read_comment(line, place, bed, mistakes);
-    else
-      read_stone(line, place, bed, mistakes);
+      continue;
+    }
+    if (!first || content != header) read_stone(line, place, bed, mistakes);
+    first = false;
   }
   if (bed.radius.empty() && !mistakes.any())
     mistakes.add({path, 1, 1}, "one stone or more", "none", "write x,y,z,radius in metres");

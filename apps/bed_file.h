@@ -1,6 +1,6 @@
-// A bed of stones from a table (CSV): one stone a row, its centre and radius in metres. A comment
-// line (#) may name the radius of the cylinder that holds it, like cylinder_radius=0.05. The axis of
-// the cylinder is z, its floor z = 0.
+// A bed of stones from a table (CSV): one stone a row, its centre and radius in metres; the header
+// x,y,z,radius may stand before the first. A comment line (#) may name the radius of the cylinder
+// that holds it, like cylinder_radius=0.05. The axis of the cylinder is z, its floor z = 0.
 #pragma once
 
 #include <optional>

@@ -47,6 +47,15 @@ TEST_F(BedFile, need_not_name_its_cylinder) {
   EXPECT_FALSE(mistakes_.any());
 }
 
+TEST_F(BedFile, may_begin_with_its_header_and_a_byte_order_mark) {
+  // What a spreadsheet saves as "CSV UTF-8". Below the first row there is no header.
+  const apps::BedFile bed = read("\xEF\xBB\xBF# settled\nx,y,z,radius\r\n0,0,1,1\r\n");
+  EXPECT_THAT(mistakes_.lines(), ElementsAre());
+  EXPECT_THAT(bed.line, ElementsAre(3));
+  read("0,0,1,1\nx,y,z,radius\n");
+  EXPECT_THAT(mistakes_.lines(), ElementsAre(StartsWith(at("2:1"))));
+}
+
 TEST_F(BedFile, names_every_row_that_is_no_stone) {
   // Line and column of the first character at fault, both from 1.
   read(
