@@ -47,13 +47,15 @@ class ValueReader {
   }
   void read_into(int& target, const Value& value) const {
     const auto* integer = std::get_if<std::int64_t>(&value.content);
-    if (!integer) return refuse(value, "a whole number");
-    const Bounds& bounds = parameter_.bounds;
-    constexpr std::int64_t largest = std::numeric_limits<int>::max();
-    if (std::abs(*integer) > largest || static_cast<double>(*integer) < bounds.least ||
-        static_cast<double>(*integer) > bounds.most)
+    const auto* real = std::get_if<double>(&value.content);
+    if (!integer && !(real && *real == std::round(*real))) return refuse(value, "a whole number");
+    const double whole = integer ? static_cast<double>(*integer) : *real;
+    constexpr double largest = std::numeric_limits<int>::max();
+    const double most = std::min(parameter_.bounds.most, largest);
+    if (whole > most) return refuse(value, "a whole number of at most " + number_text(most));
+    if (whole < std::max(parameter_.bounds.least, -largest))
       return refuse(value, "a whole number " + bounds_text(parameter_));
-    target = static_cast<int>(*integer);
+    target = static_cast<int>(whole);
   }
   void read_into(bool& target, const Value& value) const {
     const auto* truth = std::get_if<bool>(&value.content);

@@ -233,6 +233,15 @@ TEST_F(SceneMistakes, say_in_which_unit_a_bare_number_was_read) {
   EXPECT_THAT(mistakes(least, {"gyration.count=-1"}), ElementsAre(HasSubstr("found -1;")));
 }
 
+TEST_F(SceneMistakes, name_the_limit_of_a_whole_number) {
+  // The largest int, 2^31 - 1.
+  for (const char* count : {"3000000000", "3e9", "inf"})
+    EXPECT_THAT(mistakes(least, {std::string("stones.count=") + count}),
+                ElementsAre(HasSubstr("a whole number of at most 2147483647, found")));
+  EXPECT_THAT(mistakes(least, {"stones.count=-1e3"}),
+              ElementsAre(HasSubstr("a whole number at least 1, found")));
+}
+
 TEST_F(SceneMistakes, are_told_once_however_many_checks_they_fail) {
   // A value that was refused is not compared with others, nor is its key missing.
   const std::string end = "[mould]\ndiameter = \"50 mm\"\n";

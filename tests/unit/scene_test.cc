@@ -90,6 +90,13 @@ TEST_F(Scene, takes_the_borders_of_its_bounds) {
     EXPECT_THAT(mistakes(least, {option}), IsEmpty()) << option;
 }
 
+TEST_F(Scene, takes_a_whole_number_however_it_is_written) {
+  // TOML 1.0.0: what has an exponent or a point is a float.
+  const auto scene = read(least, {"stones.count=5e3", "run.seed=1.0"});
+  EXPECT_EQ(scene.stones.count, 5000);
+  EXPECT_EQ(scene.run.seed, 1);
+}
+
 TEST_F(Scene, lays_options_over_the_file) {
   // The command line is the last word; a shell may have taken the quotes.
   const auto scene =
