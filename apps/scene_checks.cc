@@ -1,5 +1,6 @@
 #include "apps/scene_checks.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -134,8 +135,11 @@ class CrossCheck {
   }
 
   void larger_than_stones(const std::string& key, double length, const StonesScene& stones) const {
-    if (sound(key) && !stones.sieves.sieve.empty() && length <= stones.sieves.sieve.back())
-      refuse(key, "more than the coarsest sieve", "make it several times the largest stone");
+    const auto& [sieve, passing] = stones.sieves;
+    const auto all = std::ranges::find(passing, 1.0);  // the first that the largest stone passes
+    if (sound(key) && all != passing.end() && length <= sieve[all - passing.begin()])
+      refuse(key, "more than the first sieve that all stones pass",
+             "make it several times the largest stone");
   }
 
   void take_row(BinderScene& binder) const {

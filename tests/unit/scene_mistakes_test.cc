@@ -242,6 +242,14 @@ TEST_F(SceneMistakes, name_the_limit_of_a_whole_number) {
               ElementsAre(HasSubstr("a whole number at least 1, found")));
 }
 
+TEST_F(SceneMistakes, compares_the_mould_with_the_first_sieve_that_all_stones_pass) {
+  // Laboratory sheets go on to 63 mm.
+  files_.write("sieves.csv", std::string(tests::sieves) + "22.4,100\n63,100\n");
+  EXPECT_THAT(mistakes(least), IsEmpty());
+  EXPECT_THAT(mistakes(least, {"mould.diameter=16 mm"}),
+              ElementsAre(HasSubstr("more than the first sieve that all stones pass")));
+}
+
 TEST_F(SceneMistakes, are_told_once_however_many_checks_they_fail) {
   // A value that was refused is not compared with others, nor is its key missing.
   const std::string end = "[mould]\ndiameter = \"50 mm\"\n";
