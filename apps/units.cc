@@ -63,6 +63,11 @@ UnitSystem::UnitSystem() {
   if (!degree || ut_map_name_to_unit("deg", UT_UTF8, degree.get()) != UT_SUCCESS ||
       ut_map_name_to_unit("rev", UT_UTF8, count.get()) != UT_SUCCESS)
     throw OutputError("the unit tables of UDUNITS-2 do not take the names \"deg\" and \"rev\"");
+  // Theirs is an angular speed, 2 pi rad/min.
+  const UnitPointer per_minute = parse("rev/min");
+  ut_unmap_symbol_to_unit(system_.get(), "rpm", UT_UTF8);
+  if (!per_minute || ut_map_symbol_to_unit("rpm", UT_UTF8, per_minute.get()) != UT_SUCCESS)
+    throw OutputError("the unit tables of UDUNITS-2 do not take \"rpm\" for \"rev/min\"");
 }
 
 UnitSystem::UnitPointer UnitSystem::parse(const std::string& unit) const {

@@ -1,5 +1,6 @@
 // Quantities as users write them ("600 kPa", "15 mm/min", "6.5 %") and their values in SI.
-// The unit tables are those of UDUNITS-2; the revolution, "rev", is one count here.
+// The unit tables are those of UDUNITS-2; the revolution, "rev", is one count here,
+// and "rpm" is "rev/min".
 #pragma once
 
 #include <memory>
