@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <numbers>
 
-#include "dem/gradation.h"
 #include "dem/mix_design.h"
 #include "dem/strength.h"
 
@@ -25,7 +24,10 @@ Mix prepare_mix(const StonesScene& stones, const std::optional<BinderScene>& bin
           ? dem::log_linear(stones.sieves, stones.smallest)
           : dem::truncated_normal(dem::fit_truncated_normal(stones.sieves, stones.smallest));
   Mix mix;
-  for (double d : dem::draw_diameters(sizes, stones.count, seed)) mix.radius.push_back(d / 2);
+  const std::vector<double> diameters = dem::draw_diameters(sizes, stones.count, seed);
+  mix.fitted = dem::largest_departure(stones.sieves, sizes);
+  mix.drawn = dem::largest_departure(stones.sieves, stones.smallest, diameters);
+  for (double d : diameters) mix.radius.push_back(d / 2);
   for (double r : mix.radius) mix.stone_volume += 4.0 / 3.0 * std::numbers::pi * r * r * r;
   if (binder) {
     const dem::BinderPhase phase =

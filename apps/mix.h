@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "apps/scene.h"
+#include "dem/gradation.h"
 #include "dem/particle_store.h"
 
 namespace apps {
@@ -17,6 +18,7 @@ struct Mix {
   double bitumen_fraction = 0;   // of the binder phase [-]
   double stone_volume = 0;       // [m3]
   double binder_volume = 0;      // bitumen and fines [m3]
+  dem::Departure fitted, drawn;  // of the size distribution and of the stones from the sieve table
 
   double smallest_radius() const;  // [m]
   double largest_radius() const;   // [m]

@@ -48,6 +48,21 @@ StoneCurve stone_curve(const SieveTable& table, double smallest) {
   return curve;
 }
 
+// `mass_finer` is that of the stones.
+template <class MassFiner>
+Departure largest_departure(const SieveTable& table, double smallest, const MassFiner& mass_finer) {
+  const double fines = passing_at(table, smallest);
+  Departure largest;
+  for (std::size_t k = 0; k < table.sieve.size(); ++k) {
+    if (table.sieve[k] <= smallest) continue;
+    const double found = fines + (1 - fines) * mass_finer(table.sieve[k]);
+    if (largest.sieve == 0 ||
+        std::abs(found - table.passing[k]) > std::abs(largest.found - largest.asked))
+      largest = {table.sieve[k], table.passing[k], found};
+  }
+  return largest;
+}
+
 double mass_quantile(const StoneCurve& curve, double share) {
   const std::size_t k = piece_of(curve.mass_finer, share);
   const double a = curve.mass_finer[k], b = curve.mass_finer[k + 1];
@@ -214,15 +229,6 @@ TruncatedNormal fit_truncated_normal(const SieveTable& table, double smallest) {
   return normal_of(least_squares(guess, curve), curve);
 }
 
-double largest_error(const TruncatedNormal& fit, const SieveTable& table) {
-  const StoneCurve curve = stone_curve(table, fit.smallest);
-  double error = 0;
-  for (std::size_t k = 0; k < curve.diameter.size(); ++k) {
-    error = std::max(error, std::abs(fit.mass_finer(curve.diameter[k]) - curve.mass_finer[k]));
-  }
-  return error;
-}
-
 SizeDistribution truncated_normal(const TruncatedNormal& normal) {
   constexpr int pieces = 4000;  // log-linear pieces follow the normal to about 1e-7
   std::vector<double> diameter{normal.smallest}, mass_finer{0};
@@ -243,6 +249,23 @@ std::vector<double> draw_diameters(const SizeDistribution& distribution, int cou
     diameter[k] = distribution.quantile((k + uniform(seed, Purpose::size, k)) / count);
   }
   return diameter;
+}
+
+Departure largest_departure(const SieveTable& table, const SizeDistribution& distribution) {
+  return largest_departure(table, distribution.smallest(),
+                           [&](double d) { return distribution.mass_finer(d); });
+}
+
+Departure largest_departure(const SieveTable& table, double smallest,
+                            const std::vector<double>& diameters) {
+  const auto mass_below = [&](double limit) {
+    double mass = 0;
+    for (const double d : diameters)
+      if (d <= limit) mass += cube(d);
+    return mass;
+  };
+  const double all = mass_below(table.sieve.back());
+  return largest_departure(table, smallest, [&](double d) { return mass_below(d) / all; });
 }
 
 }  // namespace dem

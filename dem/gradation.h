@@ -58,9 +58,6 @@ struct TruncatedNormal {
 // Least squares on C(d) at the sieves between `smallest` and the first sieve that all stones pass.
 TruncatedNormal fit_truncated_normal(const SieveTable& table, double smallest);
 
-// The largest distance between the fit and C(d) at the sieves [-].
-double largest_error(const TruncatedNormal& fit, const SieveTable& table);
-
 SizeDistribution truncated_normal(const TruncatedNormal& normal);
 
 // Diameters in rising order. One stone is drawn from each of `count` equal shares of the number
@@ -68,5 +65,16 @@ SizeDistribution truncated_normal(const TruncatedNormal& normal);
 // and with it the whole curve, would scatter by several percent from seed to seed.
 std::vector<double> draw_diameters(const SizeDistribution& distribution, int count,
                                    std::uint64_t seed);
+
+// What passes a sieve of the table: mass fractions of the mix, its fines included.
+struct Departure {
+  double sieve = 0;             // [m]
+  double asked = 0, found = 0;  // [-]
+};
+
+// At the sieve where a distribution, or single stones, depart most from their table.
+Departure largest_departure(const SieveTable& table, const SizeDistribution& distribution);
+Departure largest_departure(const SieveTable& table, double smallest,
+                            const std::vector<double>& diameters);
 
 }  // namespace dem

@@ -35,6 +35,12 @@ double volume_distance(const std::vector<double>& diameters, const SizeDistribut
   return distance;
 }
 
+// Between the fit and C(d).
+double largest_error(const TruncatedNormal& fit, const SieveTable& table) {
+  const Departure largest = largest_departure(table, truncated_normal(fit));
+  return std::abs(largest.found - largest.asked) / (1 - passing_at(table, fit.smallest));
+}
+
 TEST(gradation, log_linear_curves_have_the_mean_stones_of_an_independent_computation) {
   // Reference: f_n = f_m / d^3 integrated piece by piece in Python. Tolerance: its last digit.
   const SizeDistribution sma_stones = log_linear(sma, cut);
@@ -169,6 +175,29 @@ TEST(gradation, drawn_stones_reproduce_the_sieve_curve_by_volume) {
       EXPECT_NEAR(mean_volume(diameters) / stones.mean_volume(), 1, 0.02);
     }
   }
+}
+
+TEST(gradation, a_gap_in_the_curve_is_followed_by_log_linear_pieces_and_lost_by_a_normal) {
+  // Asked: the table itself, which holds 60 % at 8 mm. Found: scipy least squares, to its last
+  // digit.
+  const SieveTable gap = {{2e-3, 4e-3, 5.6e-3, 8e-3, 11.2e-3, 16e-3, 22.4e-3},
+                          {0.20, 0.55, 0.58, 0.60, 0.95, 1, 1}};
+  const Departure lost = largest_departure(gap, truncated_normal(fit_truncated_normal(gap, cut)));
+  EXPECT_EQ(lost.sieve, 8e-3);
+  EXPECT_EQ(lost.asked, 0.60);
+  EXPECT_NEAR(lost.found, 0.7377, 0.0001);
+  const Departure kept = largest_departure(gap, log_linear(gap, cut));
+  EXPECT_NEAR(kept.found, kept.asked, 1e-15);
+}
+
+TEST(gradation, stones_depart_from_their_table_by_what_they_weigh) {
+  // By hand: of diameters 3 and 6 mm the smaller is 27 / (27 + 216) = 1 / 9 of the mass of the
+  // stones, which are 0.75 of the mix; (0.25 + 0.75 / 9) - 0.7 is farther off than 1 - 0.8.
+  const SieveTable table = {{2e-3, 5e-3, 8e-3, 11e-3}, {0.25, 0.7, 0.8, 1}};
+  const Departure departure = largest_departure(table, cut, {3e-3, 6e-3});
+  EXPECT_EQ(departure.sieve, 5e-3);
+  EXPECT_EQ(departure.asked, 0.7);
+  EXPECT_NEAR(departure.found, 1.0 / 3, 1e-15);
 }
 
 TEST(gradation, the_seed_alone_decides_the_stones) {
