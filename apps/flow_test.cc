@@ -19,9 +19,13 @@ void foretell(const apps::FlowTestScene& scene, const apps::Mix& mix, const apps
   const apps::BedPlan plan = {scene.stones, scene.fill, scene.numerics, scene.run.seed,
                               dem::RectangularMould{flow.length, flow.width}};
   constexpr double quasi_static = 1e-3;  // GDR MiDi (2004)
-  const apps::Loading loading = {usual_pressure, flow.speed / flow.strip_length,
-                                 flow.displacement / flow.speed, std::min(flow.length, flow.width),
-                                 quasi_static};
+  const apps::Loading loading = {usual_pressure,
+                                 flow.speed / flow.strip_length,
+                                 flow.displacement / flow.speed,
+                                 std::min(flow.length, flow.width),
+                                 quasi_static,
+                                 "box",
+                                 "lower flow.speed"};
   apps::with_law(book, [&]<class Law>() {
     const apps::BedForecast told = apps::forecast_bed<Law>(plan, mix, book, loading);
     for (const std::string& line : apps::forecast_lines(told, scene.numerics))

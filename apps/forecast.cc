@@ -11,9 +11,10 @@ constexpr double touching_neighbours = 5;  // of a stone, measured
 // Of the step of the smallest stones under load, where no size has inertia to spare and the force
 // chains through large stones count: measured, 0.55 to 0.6 with 450 and 5000 stones in the mould.
 constexpr double left_of_step = 0.6;
-constexpr double falls_to_rest = 1.7;  // times of free fall until a bed is at rest, measured
-constexpr double nearly_static = 1e-2;  // inertial number up to which forces are roughly at rest
+constexpr double falls_to_rest = 1.7;    // times of free fall until a bed is at rest, measured
+constexpr double nearly_static = 1e-2;   // inertial number up to which forces are roughly at rest
 constexpr double nearly_unstable = 0.5;  // twelve such contacts around a stone bear 2 / sqrt(12)
+constexpr double near_table = 0.05;      // of the mass, that stones may depart from it: our choice
 constexpr double enough_widths = 4;  // 150 mm for stones up to 37.5 mm: AASHTO T 312, from memory
 
 // Time step of the smallest stone pressed on one like it by a force [N].
@@ -37,6 +38,15 @@ std::string steel_share(const BedForecast& told) {
   if (told.steel_seconds == 0) return "";
   return fmt::format(", {:.2g} ms more with the steel, {} to prepare that",
                      1e3 * told.steel_seconds_per_step, duration(told.steel_seconds));
+}
+
+std::string passing(const dem::Departure& departure) {
+  return fmt::format("{:.1f} % instead of {:.1f} % pass {:g} mm", 100 * departure.found,
+                     100 * departure.asked, 1e3 * departure.sieve);
+}
+
+bool is_far(const dem::Departure& departure) {
+  return std::abs(departure.found - departure.asked) > near_table;
 }
 
 }  // namespace
@@ -65,6 +75,10 @@ BedForecast forecast(const BedPlan& plan, const Mix& mix, const Loading& loading
                          std::sqrt(plan.numerics.mass_scale * density / loading.pressure);
   told.quasi_static = loading.quasi_static;
   told.widths = loading.width / told.largest;
+  told.fitted = mix.fitted;
+  told.drawn = mix.drawn;
+  told.container = loading.container;
+  told.to_be_more_static = loading.to_be_more_static;
   return told;
 }
 
@@ -72,6 +86,7 @@ std::vector<std::string> forecast_lines(const BedForecast& told, const NumericsS
   std::vector<std::string> lines = {
       fmt::format("stones           {:.0f}, diameters {:.2f} to {:.2f} mm", told.stone_count,
                   1e3 * told.smallest, 1e3 * told.largest),
+      fmt::format("sieve table      farthest from it: {}", passing(told.drawn)),
       fmt::format("shell thickness  {:.3f} mm", 1e3 * told.shell),
       fmt::format("contacts         about {:.0f} between stones, each remembers {} B",
                   told.contacts, told.memory),
@@ -87,26 +102,40 @@ std::vector<std::string> forecast_lines(const BedForecast& told, const NumericsS
       fmt::format("inertial number  {:.1e} (quasi-static below {:.0e})", told.inertial_number,
                   told.quasi_static)};
   const double most = numerics.mass_scale * std::pow(told.quasi_static / told.inertial_number, 2);
-  if (told.inertial_number > nearly_static)
+  if (most < 1)
+    lines.push_back(fmt::format(
+        "warning: no numerics.mass_scale is low enough for a quasi-static run, the stones' own "
+        "inertia will carry part of the load; {}",
+        told.to_be_more_static));
+  else if (told.inertial_number > nearly_static)
     lines.push_back(fmt::format(
         "warning: numerics.mass_scale = {:.0f} is too high, the stones' inertia will carry part of "
         "the load; {:.0f} would be quasi-static",
-        numerics.mass_scale, std::max(1.0, most)));
+        numerics.mass_scale, most));
   else if (told.inertial_number > told.quasi_static)
     lines.push_back(fmt::format(
         "warning: numerics.mass_scale = {:.0f} is high for a quasi-static run ({:.0f} would be); "
         "show that half of it gives the same curve",
-        numerics.mass_scale, std::max(1.0, most)));
+        numerics.mass_scale, most));
   if (numerics.safety > nearly_unstable)
     lines.push_back(fmt::format(
-        "warning: numerics.safety = {:.2g} is near or beyond the limit of stability: energy may come from "
-        "nowhere; take {:.1f} or less",
+        "warning: numerics.safety = {:g} is near or beyond the limit of stability: energy may come "
+        "from nowhere; take {:.1f} or less",
         numerics.safety, nearly_unstable));
+  if (is_far(told.fitted))
+    lines.push_back(fmt::format(
+        "warning: the truncated normal does not fit the sieve table, {}; "
+        "stones.distribution = \"log_linear\" follows it, with smaller stones: take more",
+        passing(told.fitted)));
+  else if (is_far(told.drawn))
+    lines.push_back(
+        fmt::format("warning: {:.0f} stones are too few for the sieve table, {}; take more",
+                    told.stone_count, passing(told.drawn)));
   if (told.widths < enough_widths)
     lines.push_back(fmt::format(
-        "warning: the mould is small for the largest stone, {:.1f} of them wide; below {:.0f} the "
+        "warning: the {} is small for the largest stone, {:.1f} of them wide; below {:.0f} the "
         "walls order the stones and air voids are too high",
-        told.widths, enough_widths));
+        told.container, told.widths, enough_widths));
   if (told.seconds() > 86400)
     lines.push_back("warning: more than a day; fewer stones or a larger mass_scale take less");
   return lines;

@@ -23,26 +23,30 @@ struct BedPlan {
 };
 
 struct Loading {
-  double pressure;    // on the mix [Pa]
-  double shear_rate;  // of the mix [1/s]
-  double duration;    // after the bed has settled [s]
-  double width;       // least inner width of the container [m]
-  double quasi_static;  // inertial number up to which the stones' inertia does not show [-]
+  double pressure;        // on the mix [Pa]
+  double shear_rate;      // of the mix [1/s]
+  double duration;        // after the bed has settled [s]
+  double width;           // least inner width of the container [m]
+  double quasi_static;    // inertial number up to which the stones' inertia does not show [-]
+  std::string container;  // "mould"
+  std::string to_be_more_static;  // what to do, as an order
 };
 
 struct BedForecast {
   double stone_count;
-  double shell, smallest, largest;    // thickness, diameters [m]
-  double contacts;                    // pairs of stones whose shells touch
-  std::size_t memory;                 // of a contact's law [B]
-  double loose_step, loaded_step;     // [s]
-  double load;                        // stone contact force that limits the latter [N]
-  double settling_time, loaded_time;  // simulated [s]
-  double seconds_per_step;            // of the wall clock, without elastic steel
-  double steel_seconds = 0;           // of the wall clock, from the meshes to the reduced bodies
-  double steel_seconds_per_step = 0;  // of the wall clock, after the settling
+  double shell, smallest, largest;       // thickness, diameters [m]
+  double contacts;                       // pairs of stones whose shells touch
+  std::size_t memory;                    // of a contact's law [B]
+  double loose_step, loaded_step;        // [s]
+  double load;                           // stone contact force that limits the latter [N]
+  double settling_time, loaded_time;     // simulated [s]
+  double seconds_per_step;               // of the wall clock, without elastic steel
+  double steel_seconds = 0;              // of the wall clock, from the meshes to the reduced bodies
+  double steel_seconds_per_step = 0;     // of the wall clock, after the settling
   double inertial_number, quasi_static;  // what it will be, and up to what it does not show [-]
-  double widths;                      // container width / largest stone [-]
+  double widths;                         // container width / largest stone [-]
+  dem::Departure fitted, drawn;          // see Mix
+  std::string container, to_be_more_static;  // see Loading
   double loaded_steps() const { return loaded_time / loaded_step; }
   double steps() const { return settling_time / loose_step + loaded_steps(); }
   double seconds() const {

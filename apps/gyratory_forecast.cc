@@ -36,9 +36,13 @@ Loading gyratory_loading(const GyratoryScene& scene, const Machine& machine) {
   // Measured, apps/docs/trade.md: a third of the densification is lost at 5e-4, none at 3e-4.
   constexpr double quasi_static = 4e-4;
   const GyrationScene& gyration = scene.gyration;
-  return {gyration.pressure, gyration.angle * 2 * std::numbers::pi * gyration.speed,
+  return {gyration.pressure,
+          gyration.angle * 2 * std::numbers::pi * gyration.speed,
           gyration.ramp + gyration.dwell + gyration.count / gyration.speed,
-          2 * machine.mould_radius, quasi_static};
+          2 * machine.mould_radius,
+          quasi_static,
+          "mould",
+          "lower gyration.speed, or raise gyration.pressure"};
 }
 
 std::vector<std::string> mould_lines(const Machine& machine) {

@@ -164,11 +164,20 @@ class Runs(SmallRuns):
         told = subprocess.run([word for word in line if word != "--quiet"], check=True,
                               capture_output=True, text=True).stdout
         steps = float(re.search(r"steps +about (\S+)", told).group(1))
-        taken = self.gyrate("run", RIGID + ["gyration.count=0.5"])[1]["steps"]
+        summary = self.gyrate("run", RIGID + ["gyration.count=0.5"])[1]
+        taken = summary["steps"]
         self.assertLess(steps, 3 * taken)
         self.assertGreater(steps, taken / 3)
         self.assertIn("quasi-static", told)
         self.assertIn("warning: the mould is small for the largest stone", told)
+        found, asked, sieve = (summary["gradation_" + name]
+                               for name in ("passing", "passing_asked", "sieve_m"))
+        self.assertIn(f"{100 * found:.1f} % instead of {100 * asked:.1f} % pass {1e3 * sieve:g} mm",
+                      told)
+        line = command("flow_test", "unused", [], "--check")
+        told = subprocess.run([word for word in line if word != "--quiet"], check=True,
+                              capture_output=True, text=True).stdout
+        self.assertIn("warning: the box is small for the largest stone", told)
         self.assertFalse(os.path.exists("unused"))
 
     def test_what_is_told_of_the_gyrations_begins_with_them_however_long_a_row_is(self):
