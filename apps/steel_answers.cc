@@ -3,6 +3,27 @@
 #include <cmath>
 
 namespace apps {
+namespace {
+
+Eigen::Matrix3Xd places_of(const dem::SurfaceField& field) {
+  Eigen::Matrix3Xd places(3, field.size());
+  for (std::size_t n = 0; n < field.size(); ++n)
+    places.col(static_cast<Eigen::Index>(n)) << field.node[n].x, field.node[n].y, field.node[n].z;
+  return places;
+}
+
+}  // namespace
+
+Eigen::VectorXd hoop_stress(const fem::ElasticBody& body, const Eigen::VectorXd& displacement) {
+  const fem::StressField stress = body.stress(displacement);
+  Eigen::VectorXd hoop(body.nodes().cols());
+  for (Eigen::Index i = 0; i < hoop.size(); ++i) {
+    const Eigen::Vector2d out = body.nodes().col(i).head<2>().normalized();
+    const double c = out[0], s = out[1];
+    hoop[i] = s * s * stress(0, i) + c * c * stress(1, i) - 2 * s * c * stress(5, i);
+  }
+  return hoop;
+}
 
 std::vector<double> hoop_stress_at_nodes(const fem::ElasticBody& body,
                                          const dem::SurfaceField& field,
@@ -16,19 +37,9 @@ std::vector<double> hoop_stress_at_nodes(const fem::ElasticBody& body,
       sum += near.weight[k] / field.area[near.node[k]] * forces.segment<3>(3 * near.node[k]);
     return sum;
   };
-  const fem::StressField stress = body.stress(body.solve(body.face_load(traction)).col(0));
-  std::vector<double> hoop;
-  for (const dem::Vec3d& x : field.node) {
-    Eigen::Index nearest;
-    (body.nodes().colwise() - Eigen::Vector3d(x.x, x.y, x.z))
-        .colwise()
-        .squaredNorm()
-        .minCoeff(&nearest);
-    const double r = std::hypot(x.x, x.y), c = x.x / r, s = x.y / r;
-    hoop.push_back(s * s * stress(0, nearest) + c * c * stress(1, nearest) -
-                   2 * s * c * stress(5, nearest));
-  }
-  return hoop;
+  const Eigen::VectorXd answer = body.solve(body.face_load(traction)).col(0);
+  const Eigen::VectorXd hoop = body.face_values(hoop_stress(body, answer), places_of(field));
+  return {hoop.begin(), hoop.end()};
 }
 
 Eigen::Matrix3Xd gauge_influence(const fem::ElasticBody& body, const dem::SurfaceField& field,
@@ -40,10 +51,7 @@ Eigen::Matrix3Xd gauge_influence(const fem::ElasticBody& body, const dem::Surfac
   };
   const Eigen::VectorXd answer =
       body.solve(body.gauge(place(gauge.angle - half), place(gauge.angle + half))).col(0);
-  Eigen::Matrix3Xd nodes(3, field.size());
-  for (std::size_t n = 0; n < field.size(); ++n)
-    nodes.col(static_cast<Eigen::Index>(n)) << field.node[n].x, field.node[n].y, field.node[n].z;
-  return body.face_displacement(answer, nodes);
+  return body.face_displacement(answer, places_of(field));
 }
 
 }  // namespace apps

@@ -14,6 +14,9 @@ namespace apps {
 Eigen::Matrix3Xd gauge_influence(const fem::ElasticBody& body, const dem::SurfaceField& field,
                                  const GaugeScene& gauge, double outer_radius);
 
+// Hoop stress at each node of a mould (nodes) [Pa], tension positive.
+Eigen::VectorXd hoop_stress(const fem::ElasticBody& body, const Eigen::VectorXd& displacement);
+
 // Hoop stress of a mould's inner face at the nodes of its letterbox, by the full body [Pa], under
 // forces at these nodes (3 each) [N] that stand for a traction between them.
 std::vector<double> hoop_stress_at_nodes(const fem::ElasticBody& body,

@@ -11,9 +11,6 @@ StressReport load_head(const StressCase& given);        // plate_pressure, ..., 
 StressReport press_one_stone(const StressCase& given);  // stones, count = 1
 StressReport settle_column(const StressCase& given);    // stones, count > 1
 
-// Hoop stress at each node of a mould (nodes) [Pa], tension positive.
-Eigen::VectorXd hoop_stress(const fem::ElasticBody& body, const Eigen::VectorXd& displacement);
-
 // As many modes as the stones ask for, sampled at `points` (3, points) [m]. Throws InputError where
 // the face has not as many.
 fem::ReducedBody reduced_mould(const fem::ElasticBody& body, int modes,

@@ -6,6 +6,7 @@
 
 #include "apps/bed.h"
 #include "apps/errors.h"
+#include "apps/steel_answers.h"
 #include "apps/stress_cases.h"
 #include "coupling/elastic_wall.h"
 
@@ -197,14 +198,12 @@ StressReport settle_column(const StressCase& given) {
         0.15}},
       loaded_body(body, displacement),
       {}};
-  const Eigen::VectorXd hoop = hoop_stress(body, displacement);
+  const Eigen::VectorXd hoop =
+      body.face_values(hoop_stress(body, displacement), coupling::letterbox_points(mould));
   for (Eigen::Index n = 0; n < nodes; ++n) {
     const dem::Vec3d& x = mould.field->node[n];
-    Eigen::Index nearest;
-    (body.nodes().colwise() - Vector3d(x.x, x.y, x.z)).colwise().squaredNorm().minCoeff(&nearest);
     const double outwards = (watch.nodal(0, n) * x.x + watch.nodal(1, n) * x.y) / inner;
-    report.map.push_back(
-        {std::atan2(x.y, x.x), x.z, outwards / mould.field->area[n], hoop[nearest]});
+    report.map.push_back({std::atan2(x.y, x.x), x.z, outwards / mould.field->area[n], hoop[n]});
   }
   return report;
 }

@@ -2,6 +2,7 @@
 #include <functional>
 #include <numbers>
 
+#include "apps/steel_answers.h"
 #include "apps/stress_cases.h"
 #include "apps/stress_theory.h"
 
@@ -134,17 +135,6 @@ StressReport press_oval(const StressCase& given) {
 }
 
 }  // namespace
-
-VectorXd hoop_stress(const fem::ElasticBody& body, const VectorXd& displacement) {
-  const fem::StressField stress = body.stress(displacement);
-  VectorXd hoop(body.nodes().cols());
-  for (Eigen::Index i = 0; i < hoop.size(); ++i) {
-    const Vector3d out = outwards(body.nodes().col(i));
-    const double c = out[0], s = out[1];
-    hoop[i] = s * s * stress(0, i) + c * c * stress(1, i) - 2 * s * c * stress(5, i);
-  }
-  return hoop;
-}
 
 StressReport load_mould(const StressCase& given) {
   if (given.load.kind == "pressure") return press_everywhere(given);

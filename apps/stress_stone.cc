@@ -7,6 +7,7 @@
 
 #include "apps/errors.h"
 #include "apps/laws.h"
+#include "apps/steel_answers.h"
 #include "apps/stress_cases.h"
 #include "coupling/elastic_wall.h"
 

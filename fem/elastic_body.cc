@@ -163,6 +163,11 @@ Matrix3Xd ElasticBody::face_displacement(const VectorXd& displacement,
   return implementation_->face.of_body(displacement) * implementation_->face.interpolation(points);
 }
 
+VectorXd ElasticBody::face_values(const VectorXd& of_nodes, const Matrix3Xd& points) const {
+  const auto& face = implementation_->face;
+  return face.interpolation(points).transpose() * of_nodes(face.nodes());
+}
+
 VectorXd ElasticBody::gauge(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
   const auto& body = *implementation_;
   if (body.elements.back.node.empty())

@@ -74,6 +74,10 @@ class ElasticBody {
   // Displacement [m] at the places of the loaded face nearest to points (3, n) [m].
   Eigen::Matrix3Xd face_displacement(const Eigen::VectorXd& displacement,
                                      const Eigen::Matrix3Xd& points) const;
+  // What has these values at nodes(), at the places of the loaded face nearest to points (3, n)
+  // [m].
+  Eigen::VectorXd face_values(const Eigen::VectorXd& of_nodes,
+                              const Eigen::Matrix3Xd& points) const;
   // Weights (unknowns) [1/m] with which displacements make the strain of a gauge that is glued to
   // the outside of a mould between two places [m]: (u_b - u_a) . (b - a) / |b - a|^2.
   Eigen::VectorXd gauge(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const;

@@ -100,6 +100,39 @@ TEST(hoop_stress, of_a_mould_under_uniform_pressure_is_lames) {
     }
 }
 
+// Near a clamped base stress bends by half of itself within a row of the map; the rows lie between
+// the nodes of the mesh. Reference: nodes of a mesh whose elements end at the rows. 3 %: two
+// default meshes, each right to 1 % away from the clamp, and a letterbox that tapers over a row.
+TEST(hoop_stress, near_a_clamped_base_is_that_at_the_height_it_is_told_for) {
+  const fem::Mould clamped = {0.15, 7.5e-3, 0.25, fem::BaseSupport::clamped, {}};
+  constexpr int rows = 13, sectors = 24;  // as a run has them
+  const double a = clamped.inner_diameter / 2, pressure = 300e3;
+  const dem::SurfaceField field(dem::CylinderGrid{a, clamped.height, rows, sectors});
+  Eigen::VectorXd forces(3 * static_cast<Eigen::Index>(field.size()));
+  for (std::size_t n = 0; n < field.size(); ++n)
+    forces.segment<3>(3 * static_cast<Eigen::Index>(n))
+        << pressure * field.area[n] / a * field.node[n].x,
+        pressure * field.area[n] / a * field.node[n].y, 0;
+  const std::vector<double> hoop =
+      apps::hoop_stress_at_nodes(fem::ElasticBody(clamped, {}), field, forces);
+
+  fem::MeshSize at_rows;
+  for (int row = 1; row < rows; ++row) at_rows.levels.push_back(clamped.height * row / rows);
+  const fem::ElasticBody body(clamped, at_rows);
+  const Eigen::VectorXd exact = apps::hoop_stress(
+      body, body.solve(body.face_load([&](const Eigen::Vector3d& x) -> Eigen::Vector3d {
+        return pressure * Eigen::Vector3d(x.x(), x.y(), 0).normalized();
+      })));
+  for (int row = 1; row <= 4; ++row) {
+    const dem::Vec3d& x = field.node[row * sectors];
+    Eigen::Index node;
+    ASSERT_LT(
+        (body.nodes().colwise() - Eigen::Vector3d(x.x, x.y, x.z)).colwise().norm().minCoeff(&node),
+        1e-9);
+    EXPECT_NEAR(hoop[row * sectors], exact[node], 0.03 * exact[node]) << x.z;
+  }
+}
+
 // Maxwell (1864): the influence of a force is the strain that this force makes. 1e-8 is the
 // precision of the solver times the difference of two close displacements.
 TEST(gauge, reads_what_the_full_body_says_of_a_single_force) {
