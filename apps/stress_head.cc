@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
+#include <map>
 #include <numbers>
 
 #include "apps/stress_cases.h"
@@ -43,16 +45,21 @@ class LoadedHead {
     return axial_at(head_.plate_diameter / 2) - axial_at(head_.shaft_diameter / 2);
   }
 
-  // Axial displacement on the axis, at the node whose depth below the face is nearest to the one
-  // given.
-  struct OnAxis {
-    double depth, axial;  // [m]
-  };
-  OnAxis on_axis(double depth) const {
+  // Axial displacement on the axis, by the parabola of the element in which a depth below the face
+  // lies [m].
+  double axial_below(double depth) const {
     const auto& nodes = body_.nodes();
-    Eigen::Index nearest;
-    (nodes.colwise() - Vector3d(0, 0, depth)).colwise().squaredNorm().minCoeff(&nearest);
-    return {nodes(2, nearest), displacement_[3 * nearest + 2]};
+    std::map<double, double> on_axis;  // depth -> displacement, three nodes an element [m]
+    for (Eigen::Index i = 0; i < nodes.cols(); ++i)
+      if (nodes.col(i).head<2>().norm() < 1e-9 * head_.shaft_diameter)
+        on_axis[nodes(2, i)] = displacement_[3 * i + 2];
+    auto node = on_axis.begin();
+    while (std::next(node, 2)->first < depth) std::advance(node, 2);
+    const auto [z0, u0] = *node++;
+    const auto [z1, u1] = *node++;
+    const auto [z2, u2] = *node;
+    const double at = (depth - z0) / (z2 - z0);
+    return (1 - at) * (1 - 2 * at) * u0 + 4 * at * (1 - at) * u1 + at * (2 * at - 1) * u2;
   }
 
   // Axial stress at the shaft's surface half way to the root, as mean + slope x: least squares over
@@ -174,14 +181,12 @@ std::vector<StressRow> beside_a_point(const StressCase& given) {
   const LoadedHead loaded(head, mesh, [&](const fem::ElasticBody& body) {
     return body.point_load(Vector3d::Zero(), Vector3d(0, 0, force));
   });
-  const LoadedHead::OnAxis shallow = loaded.on_axis(near), deep = loaded.on_axis(far);
   return {{"dip_beside_point", "m", loaded.axial_at(near) - loaded.axial_at(far),
            boussinesq_deflection(head.steel, force, near) -
                boussinesq_deflection(head.steel, force, far),
            "Boussinesq, from r to 2r on the face, r = 1/5 of plate or shaft", 0.02},
-          {"shortening_below_point", "m", shallow.axial - deep.axial,
-           boussinesq_sinking(head.steel, force, shallow.depth) -
-               boussinesq_sinking(head.steel, force, deep.depth),
+          {"shortening_below_point", "m", loaded.axial_below(near) - loaded.axial_below(far),
+           boussinesq_sinking(head.steel, force, near) - boussinesq_sinking(head.steel, force, far),
            "Boussinesq, from r to 2r below the face", 0.02}};
 }
 

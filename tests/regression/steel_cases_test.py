@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """The steel under loads of its own: steel_cases_test.py BIN_FOLDER SCENES_FOLDER TEST_NAME"""
 import json
+import math
 import os
 import subprocess
 
@@ -45,6 +46,17 @@ class SteelCases(SmallRuns):
         done = subprocess.run(line, capture_output=True, text=True)
         self.assertEqual(done.returncode, 2, done.stdout)
         self.assertIn("--refined: expected a case without stones", done.stderr)
+
+    def test_below_a_point_every_mesh_is_asked_at_the_same_depths(self):
+        # Boussinesq from 5 to 10 mm, a fifth of the shaft's radius and twice that; nodes of the
+        # mesh lie at 5.35 and 10.75 mm. 1e-6: what the row is told with.
+        done = self.load_steel("point", "head.plate_thickness=40 mm")
+        row = json.loads(done.stdout)["rows"][-1]
+        self.assertEqual(row["quantity"], "shortening_below_point")
+        self.assertTrue(row["pass"], row)
+        force, young, nu = 1000, 210e9, 0.3
+        exact = force * (1 + nu) * (3 - 2 * nu) / (2 * math.pi * young) * (1 / 5e-3 - 1 / 10e-3)
+        self.assertAlmostEqual(row["reference"], exact, delta=1e-6 * exact)
 
     def test_a_mould_of_the_least_height_is_in_plane_strain(self):
         # 2 %, as of a tall one: of a mould as low as it may be, free ends take 1.4 %.
