@@ -1,5 +1,5 @@
 // What a run tells of its walls: resultants, mean tractions, virtual strain gauges, unrolled maps,
-// and whether the coupling loses anything between stones and steel.
+// and whether the letterbox loses anything that the stones' contacts give it.
 //
 // Signs, everywhere: forces and tractions are those of the mix on the wall. Normal traction is
 // positive where the mix presses on the wall; axial traction is positive along +z, the axis of the
