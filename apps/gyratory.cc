@@ -26,8 +26,9 @@ void foretell(const apps::GyratoryScene& scene, const apps::Mix& mix, const apps
     told.steel_seconds_per_step = steel.seconds_per_step;
     for (const std::string& line : apps::forecast_lines(told, scene.numerics))
       std::cout << line << '\n';
+    for (const std::string& line : apps::steel_lines(steel, scene, told.loaded_step))
+      std::cout << line << '\n';
   });
-  for (const std::string& line : steel.lines) std::cout << line << '\n';
 }
 
 void compact(const apps::Options& options) {

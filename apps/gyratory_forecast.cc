@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "apps/clocks.h"
@@ -9,14 +10,6 @@
 
 namespace apps {
 namespace {
-
-std::string line(const char* name, const SteelPart& part) {
-  const SteelPart::Outline outline = part.outline();
-  return fmt::format(
-      "{:16} elastic, {} unknowns, gain at most {:.2g} (bed / steel stiffness): {} modes swing, {} "
-      "follow",
-      name, outline.unknowns, outline.gain, outline.swinging, outline.following);
-}
 
 // Wall time of an exchange, the static modes' share included [s].
 double measured_exchange(SteelPart& part, dem::Wall& wall) {
@@ -67,11 +60,40 @@ SteelForecast steel_forecast(const GyratoryScene& scene, const Machine& machine)
     const Steel part = make_steel(*elastic, machine, scene.numerics, wall);
     told.seconds += wall_clock() - began;
     told.seconds_per_step += measured_exchange(*part, wall);
-    told.lines.push_back(line(name, *part));
+    told.parts.push_back({name, part->outline()});
   };
   foretell("head", scene.head.elastic);
   foretell("mould", scene.mould.elastic);
   return told;
+}
+
+std::vector<std::string> steel_lines(const SteelForecast& steel, const GyratoryScene& scene,
+                                     double time_step) {
+  constexpr double largest_lag = 0.1;  // of a mode behind what gyrates [rad]
+  constexpr double quick = 5;          // frequency of a mode / that of the gyrations
+  const double speed = scene.gyration.speed, scale = scene.numerics.head_mass_scale;
+  std::vector<std::string> lines;
+  for (const auto& [name, outline] : steel.parts) {
+    lines.push_back(fmt::format(
+        "{:16} elastic, {} unknowns, gain at most {:.2g} (bed / steel stiffness): {} modes swing, "
+        "{} follow",
+        name, outline.unknowns, outline.gain, outline.swinging, outline.following));
+    // See model.md: such a mode comes to rest in 2 gain dt.
+    const double lag = 4 * std::numbers::pi * speed * outline.gain * time_step;
+    if (outline.swinging > 0 && lag > largest_lag)
+      lines.push_back(
+          fmt::format("warning: the {} is soft, it would bend {:.2g} rad of a gyration too late; "
+                      "take stiffer steel, slower gyrations or a smaller numerics.mass_scale",
+                      name, lag));
+    const double frequency = outline.lowest_frequency;
+    if (frequency < quick * speed)
+      lines.push_back(fmt::format(
+          "warning: numerics.head_mass_scale = {:.3g} lets the {} swing at {:.2g} Hz only, slow "
+          "for "
+          "gyrations of {:.2g} rev/s; {:.2g} would be {} times as quick as they are",
+          scale, name, frequency, speed, scale * std::pow(frequency / (quick * speed), 2), quick));
+  }
+  return lines;
 }
 
 }  // namespace apps

@@ -118,7 +118,8 @@ SteelPart::Outline ElasticPart::outline() const {
           coupled_->gain().maxCoeff(),
           coupled_->body().truncation_error,
           swinging,
-          static_cast<int>(coupled_->gain().size()) - swinging};
+          static_cast<int>(coupled_->gain().size()) - swinging,
+          coupled_->lowest_frequency()};
 }
 
 Eigen::VectorXd ElasticPart::gauge_influence(const dem::SurfaceField& field,

@@ -29,6 +29,7 @@ class SteelPart {
     double gain;              // bed stiffness / modal stiffness, at most [-]
     double truncation;        // first compliance that the modes leave out / largest [-]
     int swinging, following;  // modes
+    double lowest_frequency;  // of those that swing, by their scaled mass [Hz]
   };
   virtual Outline outline() const = 0;
 

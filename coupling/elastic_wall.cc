@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 namespace coupling {
@@ -44,6 +45,14 @@ void ElasticWall::sort_modes() {
     (gain_[m] > settings_.static_gain ? oscillators_ : statics_).push_back(m);
   swinging_ = body_.shape(Eigen::all, oscillators_);
   following_ = body_.shape(Eigen::all, statics_);
+}
+
+double ElasticWall::lowest_frequency() const {
+  double lowest = INFINITY;
+  for (const Eigen::Index m : oscillators_)
+    lowest =
+        std::min(lowest, std::sqrt(body_.stiffness[m] / (settings_.inertia_scale * body_.mass[m])));
+  return lowest / (2 * std::numbers::pi);
 }
 
 void ElasticWall::follow_fully(const Eigen::MatrixXd& compliance, const dem::Wall& wall) {

@@ -4,9 +4,13 @@
 // A mode whose compliance could answer the bed strongly (gain = bed stiffness / modal stiffness
 // above `static_gain`) is an oscillator with scaled modal mass and damping that moves with every
 // time step, stable for any softness; the others follow statically at every exchange with
-// relaxation 1/2. The gain comes from a bound on the bed's stiffness, bed_modulus x face area /
-// face size. Such a mode would diverge above a gain of 4, which head tilt and mould ovalling
-// exceed.
+// relaxation 1/2. The gain comes from an estimate of the bed's stiffness, bed_modulus x face area /
+// face size, which is no bound for a mould: bed_modulus x face area / radius is more. A mode that
+// follows would diverge above a gain of 4, which the tilt of a soft head exceeds, and the ovalling
+// of a mould only where it is softer than steel or thin.
+//
+// Beyond its damping an oscillator is held back by what a bed that answers a step late could drive,
+// bed stiffness x 2 dt: a mode that is soft against the bed comes to rest in 2 gain dt.
 //
 // As the reference of what modes leave out, a wall may follow fully: the rest of its compliance,
 // that of the full body less that of the modes, then answers statically at every exchange. Modes
@@ -27,7 +31,7 @@ struct ExchangeSettings {
   double inertia_scale = 1;  // modal mass / true modal mass [-]
   double damping = 0.15;     // of the critical damping of each oscillator [-]
   double static_gain = 0.1;  // modes below it follow statically [-]
-  double bed_modulus = 1e9;  // bound of the bed's confined modulus [Pa]
+  double bed_modulus = 1e9;  // of the bed in confined compression, an estimate [Pa]
 };
 
 class ElasticWall {
@@ -44,8 +48,10 @@ class ElasticWall {
 
   const fem::ReducedBody& body() const { return body_; }
   const Eigen::VectorXd& amplitude() const { return amplitude_; }  // of the modes [m]
-  const Eigen::VectorXd& gain() const { return gain_; }            // bound, of each mode [-]
+  const Eigen::VectorXd& gain() const { return gain_; }            // of each mode [-]
   int oscillators() const { return static_cast<int>(oscillators_.size()); }
+  // Of the slowest oscillator, by its scaled mass [Hz]; infinite where there is none.
+  double lowest_frequency() const;
 
   // Shows, as in dem/state.h, the modes too: solvers may find them with other signs and last bits.
   template <class Visit>
@@ -64,7 +70,7 @@ class ElasticWall {
   Eigen::VectorXd amplitude_, velocity_;             // of all modes [m], [m/s]
   Eigen::VectorXd gathered_;                         // impulse since the last exchange [N s]
   Eigen::VectorXd static_velocity_;                  // of the nodes until the next exchange [m/s]
-  double bed_stiffness_;                             // bound [N/m]
+  double bed_stiffness_;                             // estimate [N/m]
   Eigen::MatrixXd rest_compliance_;                  // of what the modes leave out [m/N]
   Eigen::VectorXd rest_;                             // its displacement [m]; empty: left out
   double rest_share_ = 0;                            // relaxation of the rest [-]

@@ -55,6 +55,26 @@ TEST(coupled_head, answers_a_lasting_force_as_the_full_body_does) {
   }
 }
 
+// A mode that is soft against the bed is held back so that its amplitude nears its rest like
+// exp(-t / (2 gain dt)), whatever its mass: after that time 1/e is left to go. 1 %: the mass that
+// the bed asks for takes 50 of 20000 steps.
+TEST(coupled_plate, that_is_soft_comes_to_rest_in_twice_gain_times_step) {
+  constexpr double gain = 1e4, dt = 1e-5, stiffness = 1e4, force = 1;
+  dem::Wall wall = bench::plate();
+  const auto with = [&](double k) {
+    return coupling::ElasticWall(bench::sinking_plate(k, 0.1, wall.field->size()), wall,
+                                 {.damping = 0});
+  };
+  coupling::ElasticWall elastic = with(stiffness * with(stiffness).gain()[0] / gain);
+  const double rest = force / elastic.body().stiffness[0];
+  const dem::Stencil middle = wall.field->stencil({0, 0, 0});
+  for (int step = 0; step < static_cast<int>(2 * gain); ++step) {
+    wall.field->add_impulse(middle, {0, 0, force * dt});
+    elastic.exchange(wall, {dt, dt});
+  }
+  EXPECT_NEAR(elastic.amplitude()[0], (1 - std::exp(-1)) * rest, 0.01 * rest);
+}
+
 // A lasting force is the same over long steps and short ones, and so is the answer to it.
 TEST(coupled_head, answers_a_lasting_force_over_changing_steps_alike) {
   const fem::ElasticBody body(head, {});

@@ -180,6 +180,23 @@ class Runs(SmallRuns):
         self.assertIn("warning: the box is small for the largest stone", told)
         self.assertFalse(os.path.exists("unused"))
 
+    def test_check_warns_of_steel_too_slow_for_the_gyrations(self):
+        # A head of 1e8 Pa is 2100 times softer than steel: gain 2.5e5. Quick steel gets no warning.
+        for override, warning in (
+                ("head.elastic.young=210 GPa", None),
+                ("head.elastic.young=0.1 GPa", "the head is soft, it would bend"),
+                ("numerics.head_mass_scale=1e7", "lets the head swing at")):
+            line = command("gyratory", "unused", SMALL + [
+                "head.elastic.shaft_diameter=14 mm", "mould.elastic=none", override], "--check")
+            told = subprocess.run([word for word in line if word != "--quiet"], check=True,
+                                  capture_output=True, text=True).stdout
+            self.assertIn("modes swing", told)
+            warnings = re.findall(r"warning: .*head .*", told)
+            if warning:
+                self.assertIn(warning, " ".join(warnings))
+            else:
+                self.assertEqual(warnings, [])
+
     def test_what_is_told_of_the_gyrations_begins_with_them_however_long_a_row_is(self):
         # Means of forces are those of the same steps, but for their last bits.
         found = []
