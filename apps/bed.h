@@ -107,13 +107,12 @@ struct Settling {
 // stage has.
 template <class Law>
 Settling begin_settling(dem::Simulation<Law>& bed, const FillScene& fill) {
-  constexpr double gravity = 9.81;  // [m/s2]
   const dem::ParticleStore& stones = bed.stones();
   Settling settling;
   for (std::size_t k = 0; k < stones.size(); ++k)
-    settling.threshold += fill.rest_energy * stones.mass[k] * gravity * stones.radius[k];
+    settling.threshold += fill.rest_energy * stones.mass[k] * dem::earth_gravity * stones.radius[k];
   const double depth = dem::mean_of_highest(stones, 1);
-  settling.fall = std::sqrt(2 * depth * dem::mean_inertia_scale(stones) / gravity);
+  settling.fall = std::sqrt(2 * depth * dem::mean_inertia_scale(stones) / dem::earth_gravity);
   settling.start = bed.time();
   settling.next_look = bed.time() + 0.05 * settling.fall;
   bed.set_drag(2 / settling.fall);

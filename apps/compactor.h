@@ -140,7 +140,7 @@ template <class Law>
 dem::Ram Compactor<Law>::ram() const {
   const GyrationScene& gyration = scene_.gyration;
   return {head_mass_ * scene_.numerics.head_mass_scale,
-          head_mass_ * 9.81,
+          head_mass_ * dem::earth_gravity,
           gyration.pressure * machine_.section,
           closed_at_,
           gyration.ramp,

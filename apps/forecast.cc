@@ -99,7 +99,7 @@ std::vector<std::string> forecast_lines(const BedForecast& told, const NumericsS
                   told.steps(), told.settling_time, told.loaded_time),
       fmt::format("time to take     about {} here ({:.2g} ms a step{})", duration(told.seconds()),
                   1e3 * told.seconds_per_step, steel_share(told)),
-      fmt::format("inertial number  {:.1e} (quasi-static below {:.0e})", told.inertial_number,
+      fmt::format("inertial number  {:.1e} (high from {:.0e} on)", told.inertial_number,
                   told.quasi_static)};
   const double most = numerics.mass_scale * std::pow(told.quasi_static / told.inertial_number, 2);
   if (most < 1)

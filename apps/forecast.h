@@ -23,12 +23,12 @@ struct BedPlan {
 };
 
 struct Loading {
-  double pressure;        // on the mix [Pa]
-  double shear_rate;      // of the mix [1/s]
-  double duration;        // after the bed has settled [s]
-  double width;           // least inner width of the container [m]
-  double quasi_static;    // inertial number up to which the stones' inertia does not show [-]
-  std::string container;  // "mould"
+  double pressure;                // on the mix [Pa]
+  double shear_rate;              // of the mix [1/s]
+  double duration;                // after the bed has settled [s]
+  double width;                   // least inner width of the container [m]
+  double quasi_static;            // inertial number from which on `--check` warns [-]
+  std::string container;          // "mould"
   std::string to_be_more_static;  // what to do, as an order
 };
 
@@ -43,7 +43,7 @@ struct BedForecast {
   double seconds_per_step;               // of the wall clock, without elastic steel
   double steel_seconds = 0;              // of the wall clock, from the meshes to the reduced bodies
   double steel_seconds_per_step = 0;     // of the wall clock, after the settling
-  double inertial_number, quasi_static;  // what it will be, and up to what it does not show [-]
+  double inertial_number, quasi_static;  // what it will be, and from what on it is high [-]
   double widths;                         // container width / largest stone [-]
   dem::Departure fitted, drawn;          // see Mix
   std::string container, to_be_more_static;  // see Loading
@@ -103,7 +103,8 @@ BedForecast forecast_bed(const BedPlan& plan, const Mix& mix, const LawBook& boo
   dem::ParticleStore store =
       dem::make_stones(gas.position, mix.radius, mix.layers(plan.stones), plan.numerics.mass_scale);
   const Law law = book.law<Law>({std::nullopt, plan.stones.friction}, plan.fill.bonds);
-  told.settling_time *= std::sqrt(2 * gas.height * dem::mean_inertia_scale(store) / 9.81);
+  told.settling_time *=
+      std::sqrt(2 * gas.height * dem::mean_inertia_scale(store) / dem::earth_gravity);
   if (plan.numerics.selective_mass) store.inertia = selected_inertia(law, store);
   told.inertial_number *= std::sqrt(dem::mean_inertia_scale(store) / plan.numerics.mass_scale);
   told.memory = sizeof(typename Law::template Memory<double>);

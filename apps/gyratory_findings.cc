@@ -48,7 +48,7 @@ std::vector<Finding> gyratory_findings(const GyratoryScene& scene, const Mix& mi
                                     {"mould_diameter_m", 2 * machine.mould_radius},
                                     {"ram_pressure_mean_Pa", rows.mean("ram_pressure")},
                                     {"head_force_mean_N", rows.mean("head_force")},
-                                    {"head_weight_N", outcome.head_mass * 9.81},
+                                    {"head_weight_N", outcome.head_mass * dem::earth_gravity},
                                     {"commanded_angle_deg", rows.mean("commanded_angle")},
                                     {"internal_angle_deg", rows.mean("internal_angle")}};
   found.insert(found.end(), own.begin(), own.end());

@@ -137,8 +137,9 @@ StressReport settle_column(const StressCase& given) {
       reduced_mould(body, stones.modes, coupling::letterbox_points(mould)), mould, exchange);
 
   double weight = 0;
-  for (const double m : column.stones().mass) weight += 9.81 * m;
-  const double fall = std::sqrt(2 * depth * stones.mass_scale / 9.81);  // [s], of scaled stones
+  for (const double m : column.stones().mass) weight += dem::earth_gravity * m;
+  const double fall =
+      std::sqrt(2 * depth * stones.mass_scale / dem::earth_gravity);  // [s], of scaled stones
   const double stroke = 0.1 * stones.smallest, start = column.time(), end = start + 10 * fall;
   mould.motion = dem::Driven{{0, 0, stroke / (end - start)}};
   const auto nodes = static_cast<Eigen::Index>(mould.field->size());

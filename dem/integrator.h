@@ -29,6 +29,8 @@ struct Travel {
   bool finite = true;    // false: some position or velocity is not a number
 };
 
+inline constexpr double earth_gravity = 9.81;  // [m/s2]
+
 // Sets the stones' loads to their weight; gravity [m/s2], downwards along z.
 void weigh(ParticleStore& stones, double gravity);
 

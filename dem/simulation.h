@@ -23,9 +23,9 @@
 namespace dem {
 
 struct Settings {
-  double gravity = 9.81;  // [m/s2]
-  double safety = 0.2;    // time step / sqrt(inertia / stiffness) of the stiffest contact [-]
-  double largest_step;    // [s], used while nothing stiffer is in contact
+  double gravity = earth_gravity;  // [m/s2]
+  double safety = 0.2;  // time step / sqrt(inertia / stiffness) of the stiffest contact [-]
+  double largest_step;  // [s], used while nothing stiffer is in contact
   double largest_overlap = 0.5;  // of stones, / radius of the smaller: beyond it the run stops [-]
   double skin;                   // search range beyond contact [m]
   FractureRule fracture;
