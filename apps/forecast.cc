@@ -129,7 +129,7 @@ std::vector<std::string> forecast_lines(const BedForecast& told, const NumericsS
         passing(told.fitted)));
   else if (is_far(told.drawn))
     lines.push_back(
-        fmt::format("warning: {:.0f} stones are too few for the sieve table, {}; take more",
+        fmt::format("warning: too few stones for the sieve table ({:.0f}), {}; take more",
                     told.stone_count, passing(told.drawn)));
   if (told.widths < enough_widths)
     lines.push_back(fmt::format(

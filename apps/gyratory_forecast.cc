@@ -89,9 +89,8 @@ std::vector<std::string> steel_lines(const SteelForecast& steel, const GyratoryS
     const double frequency = outline.lowest_frequency;
     if (frequency < quick * speed)
       lines.push_back(fmt::format(
-          "warning: numerics.head_mass_scale = {:.3g} lets the {} swing at {:.2g} Hz only, slow "
-          "for "
-          "gyrations of {:.2g} rev/s; {:.2g} would be {} times as quick as they are",
+          "warning: numerics.head_mass_scale = {:.3g} lets the {} swing at only {:.2g} Hz, slow "
+          "for gyrations of {:.2g} rev/s; {:.2g} would be {} times as quick as they are",
           scale, name, frequency, speed, scale * std::pow(frequency / (quick * speed), 2), quick));
   }
   return lines;

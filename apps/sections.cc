@@ -59,12 +59,11 @@ std::vector<Section> describe(GyratoryScene& scene) {
   numerics.parameters.push_back(
       {&scene.numerics.exchange_interval, "exchange_interval", pure, at_least(1),
        "steps between exchanges with the static modes of the steel", ours});
-  numerics.parameters.push_back({&scene.numerics.head_mass_scale, "head_mass_scale", pure,
-                                 at_least(1),
-                                 "inertia / true inertia of the head and of the modes of the "
-                                 "steel; at least: modes too quick "
-                                 "for the time step get more",
-                                 ours});
+  numerics.parameters.push_back(
+      {&scene.numerics.head_mass_scale, "head_mass_scale", pure, at_least(1),
+       "inertia / true inertia of the head and of the modes of the steel; "
+       "at least: modes too quick for the time step get more",
+       ours});
   Section output = describe(scene.output);
   output.parameters.push_back(
       {&scene.maps, "maps", pure, unbounded,

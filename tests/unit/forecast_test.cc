@@ -40,8 +40,9 @@ TEST(forecast, warns_of_stones_that_are_not_those_of_the_sieve_table) {
                                       HasSubstr("64.9 % instead of 60.0 % pass 8 mm"))));
   EXPECT_THAT(warnings(told), IsEmpty());
   told.drawn = {11.2e-3, 0.95, 1};
-  EXPECT_THAT(warnings(told), ElementsAre(AllOf(HasSubstr("5000 stones are too few"),
-                                                HasSubstr("100.0 % instead of 95.0 %"))));
+  EXPECT_THAT(warnings(told),
+              ElementsAre(AllOf(HasSubstr("too few stones for the sieve table (5000)"),
+                                HasSubstr("100.0 % instead of 95.0 %"))));
   told.fitted = {4e-3, 0.55, 0.434};
   EXPECT_THAT(warnings(told), ElementsAre(AllOf(HasSubstr("43.4 % instead of 55.0 % pass 4 mm"),
                                                 HasSubstr("distribution = \"log_linear\""))));
