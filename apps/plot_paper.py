@@ -17,8 +17,9 @@ import numpy as np
 from plots.errors import InputError, exit_status_of, reading
 from plots.mixes import (bed_height, box, broken, compare, compression, contact_force, decrease,
                          depth, difference, internal_angle, late_rise, lowest, mean, mixes,
-                         over_seeds, paired, per_decade, pressure, roughness, sinking, stones_of,
-                         told, traction, turns, uplift, voids_before, with_rigid_steel)
+                         of_all_runs, over_seeds, paired, per_decade, pressure, roughness, sinking,
+                         sizes_of_broken, stones_of, stretch, told, traction, turns, uplift,
+                         voids_before, with_rigid_steel)
 from plots.study import runs_by_setting
 from plots.style import BLUE, GREY, RED, STYLE, save
 
@@ -135,6 +136,20 @@ def gyratory_rows(gyratory):
                f"| {', '.join(f'{n:.0f}' for n in mix.values(broken))} |\n")
 
 
+def what_breaks(flow):
+    """Which stones, and how far bonds stretch before they part."""
+    size, (apart, shells) = of_all_runs(flow, sizes_of_broken), of_all_runs(flow, stretch)
+    words, bonds = "", apart > 0
+    if len(size):
+        words += (f"Of the {len(size)} broken stones {100 * np.mean(size >= 0.8):.0f} % are of the "
+                  f"largest fifth, {100 * np.mean(size < 0.2):.0f} % of the smallest.\n")
+    if bonds.any():
+        words += (f"At the end {100 * np.mean(bonds):.0f} % of the contacts between stones are "
+                  f"stretched bonds, {100 * np.mean(shells[bonds] > 1):.0f} % of these by more than "
+                  f"the film of both shells, the longest by {1e3 * apart.max():.1f} mm.\n")
+    return words and "\n" + words
+
+
 def plural(count, word):
     return f"{count} {word}{'s' * (count > 1)}"
 
@@ -205,7 +220,7 @@ Uplift when the strip begins to press (1 kPa), at its lowest and at the end:
 
 | configuration | begins [mm] | lowest [mm] | end [mm] | pressure, second half [kPa] | broken |
 |---|---:|---:|---:|---:|---:|
-""" + "".join(flow_rows(flow))
+""" + "".join(flow_rows(flow)) + what_breaks(flow)
 
 
 def gyratory_tables(gyratory, elastic, rigid):

@@ -1,5 +1,6 @@
 """Where the work of a run goes, as its energy ledger says."""
 import numpy as np
+from matplotlib.colors import to_rgb
 
 from .style import INK, colour_of, figure, name_runs
 
@@ -33,20 +34,51 @@ def draw_kinds(axes, run):
         axes.fill_between(time, below, bottom, color=colour, linewidth=0)
         above, below = top, bottom
     axes.plot(time, work_done(run), color=INK, label="work of walls and weight")
+    axes.set_xlabel("time [s]")
     axes.set_ylabel("energy [J]")
     axes.legend(loc="upper left", bbox_to_anchor=(1, 1))
+
+
+def stages(run):
+    """Name, first and last row of the history."""
+    last = len(run.columns["time"]) - 1
+    if not run.gyratory:
+        return [("strip goes down", 0, last)]
+    gyrates = run.gyrating().start
+    ramp = run.scene()["gyration"]["ramp"] / run.scene()["numerics"]["time_compression"]
+    risen = min(int(np.searchsorted(run.columns["time"], ramp)), gyrates)
+    found = [("pressure rises", 0, risen), ("dwells", risen, gyrates), ("gyrates", gyrates, last)]
+    return [(name, row, end) for name, row, end in found if row < end <= last]
+
+
+def draw_shares(axes, run):
+    """Of what each stage cost, in per cent; what gave energy back is left out."""
+    names, rows, ends = zip(*stages(run))
+    gains = [np.maximum(run.columns[column][list(ends)] - run.columns[column][list(rows)], 0)
+             for column, _, _ in KINDS]
+    left = np.zeros(len(names))
+    for (_, _, colour), gained in zip(KINDS, gains):
+        share = 100 * gained / np.sum(gains, axis=0)
+        bars = axes.barh(names, share, left=left, color=colour)
+        dark = np.mean(to_rgb(colour)) < 0.5
+        axes.bar_label(bars, [f"{part:.0f}" if part >= 2 else "" for part in share],
+                       label_type="center", fontsize=8, color="white" if dark else INK)
+        left += share
+    axes.invert_yaxis()
+    axes.grid(axis="y", visible=False)
+    axes.set_xlabel("of what the stage cost [%]")
 
 
 def energy(runs):
     runs = [run for run in runs if "energy_residual" in run.columns]
     if not runs:
         return None
-    page = figure(10, 4.2 * len(runs) + 1.6)
-    axes = page.subplots(len(runs) + 1, 1, sharex=len(runs) == 1,
-                         height_ratios=[3] * len(runs) + [1.2])
-    for panel, run in zip(axes, runs):
-        draw_kinds(panel, run)
-        panel.set_title("Where the work goes" + (f": {run.name}" if len(runs) > 1 else ""))
+    page = figure(10, 5.4 * len(runs) + 1.6)
+    axes = page.subplots(2 * len(runs) + 1, 1, height_ratios=[3, 0.9] * len(runs) + [1.2])
+    for kinds, shares, run in zip(axes[0::2], axes[1::2], runs):
+        draw_kinds(kinds, run)
+        kinds.set_title("Where the work goes" + (f": {run.name}" if len(runs) > 1 else ""))
+        draw_shares(shares, run)
     for run in runs:
         whole = np.max(np.abs(work_done(run)))
         axes[-1].plot(run.shown("time"), 100 * run.columns["energy_residual"] / whole,

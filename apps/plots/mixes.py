@@ -89,6 +89,30 @@ def broken(run):
     return run.columns["fractured"][-1]
 
 
+def sizes_of_broken(run):
+    """Of each broken stone, the share of the run's stones that are smaller."""
+    radius = run.table("stones")["radius"]
+    smaller = np.argsort(np.argsort(radius)) / len(radius)
+    return smaller[run.table("fractures")["stone"].astype(int)]
+
+
+def stretch(run):
+    """How far apart the shells of each contact are at the end, below zero where they overlap, in
+    metres, and as a share of the two shells."""
+    stones, contacts = run.table("stones"), run.table("contacts")
+    one, other = (contacts[name].astype(int) for name in ("first", "second"))
+    place = np.stack([stones[axis] for axis in "xyz"], axis=1)
+    shells = 2 * stones["shell_thickness"][0]
+    radii = stones["radius"][one] + stones["radius"][other]
+    apart = np.linalg.norm(place[one] - place[other], axis=1) - radii - shells
+    return apart, apart / shells
+
+
+def of_all_runs(study, of):
+    """What is found in each run, one after the other along the last axis."""
+    return np.concatenate([of(run) for mix in study.values() for run in mix.runs], axis=-1)
+
+
 def uplift(run):
     return 1e3 * run.columns["uplift"][-1]
 
