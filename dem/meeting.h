@@ -1,9 +1,10 @@
-// How two stones meet: what a contact law sees of them.
+// How two stones, or a stone and a wall, meet: what a contact law sees of them.
 #pragma once
 
 #include <cstdint>
 
 #include "dem/contact.h"
+#include "dem/frame.h"
 #include "dem/particle_store.h"
 
 namespace dem {
@@ -78,6 +79,59 @@ Meeting<T> meet(const Couple<T>& couple, const Passing<T>& passing, double dt) {
                      swing * (T(0.5 * dt) * dot(rolling, normal))) *
                     T(dt);
   contact.turn = (swing + normal * (T(0.5) * dot(spin_i + spin_j, normal))) * T(dt);
+  contact.horizon = T(0.0);
+  return pair;
+}
+
+// A stone that comes to a wall, seen from the laboratory.
+template <class T>
+struct Visitor {
+  Vec3<T> position;  // [m]
+  Vec3<T> velocity;  // [m/s]
+  Vec3<T> spin;      // [rad/s]
+  T radius;          // without the shell [m]
+  T inertia;         // [kg]
+};
+
+// The wall next to it, bent or not.
+template <class T>
+struct Face {
+  T distance;       // of the stone's centre [m]
+  Vec3<T> normal;   // towards the stone
+  Vec3<T> bending;  // velocity by which the face bends [m/s]
+};
+
+template <class T>
+struct WallMeeting {
+  Contact<T> contact;
+  Vec3<T> point;  // of contact [m]
+  T arm, inset;   // from the centre to the point, and from there to the outer surface [m]
+};
+
+// After a step of dt [s]; leaves the softness to be filled in. A wall has no shell: that of the
+// stone [m] yields alone, the stone itself by half as between stones.
+template <class T>
+WallMeeting<T> meet(const Visitor<T>& stone, const Face<T>& face, const Frame& wall, double shell,
+                    double dt) {
+  const Vec3<T>& normal = face.normal;
+  WallMeeting<T> pair;
+  Contact<T>& contact = pair.contact;
+  contact.outer_radius = stone.radius + T(shell);
+  contact.stone_radius = stone.radius;
+  contact.overlap = contact.outer_radius - face.distance;
+  contact.mass = stone.inertia;
+  contact.normal = normal;
+  pair.inset = contact.overlap - T(0.5) * larger(contact.overlap - T(shell), T(0.0));
+  pair.arm = contact.outer_radius - pair.inset;
+  pair.point = stone.position - normal * pair.arm;
+
+  const Vec3<T> rate = stone.velocity - wall.velocity_at(pair.point) - face.bending;
+  contact.closing = -dot(rate, normal);
+  const Vec3<T> slip = rate - cross(pair.arm * stone.spin, normal);
+  contact.sliding = (slip - normal * dot(slip, normal)) * T(dt);
+  // The frame follows the wall and, about the normal, half the stone's own spin.
+  const Vec3<T> spin = Frame::wide<T>(wall.spin);
+  contact.turn = (spin + normal * (T(0.5) * dot(stone.spin - spin, normal))) * T(dt);
   contact.horizon = T(0.0);
   return pair;
 }

@@ -13,6 +13,7 @@
 #include "dem/bytes.h"
 #include "dem/extremes.h"
 #include "dem/integrator.h"
+#include "dem/meeting.h"
 #include "dem/pair_contacts.h"
 #include "dem/wall.h"
 
@@ -74,11 +75,12 @@ class WallContacts {
   };
   template <class T>
   void put(ParticleStore& particles, std::int64_t slot, const Results<T>& results);
-  // Velocity of the bent face [m/s] and its displacement along the normal [m] below the points
-  // `foot`.
+  // Of the stones at `position`; leaves the stencils of an elastic wall.
   template <class T>
-  Vec3<T> bend(const Wall& wall, const Vec3<T>& foot, const Vec3<T>& normal, Touch* touch,
-               T& nearer) const;
+  Face<T> face_at(const Wall& wall, const Vec3<T>& position, Touch* touch) const;
+  // Adds what an elastic wall yields at its own points `foot`.
+  template <class T>
+  void bend(const Wall& wall, const Vec3<T>& foot, Touch* touch, Face<T>& face) const;
   struct Sum {
     Vec3d force, moment;  // on the wall, about its origin [N], [N m]
     double push;          // [N]
@@ -156,20 +158,33 @@ WallExtremes WallContacts<Law>::evaluate(ParticleStore& particles, Wall& wall, d
 
 template <ContactLaw Law>
 template <class T>
-Vec3<T> WallContacts<Law>::bend(const Wall& wall, const Vec3<T>& foot, const Vec3<T>& normal,
-                                Touch* touch, T& nearer) const {
-  Vec3<T> velocity;
+Face<T> WallContacts<Law>::face_at(const Wall& wall, const Vec3<T>& position, Touch* touch) const {
+  const Vec3<T> local = wall.frame.to_frame(position - Frame::wide<T>(wall.frame.origin));
+  const Nearest<T> nearest =
+      std::visit([&](const auto& surface) { return surface.nearest(local); }, wall.surface);
+  const T zero(0.0);
+  Face<T> face = {nearest.distance, wall.frame.to_laboratory(nearest.normal), {zero, zero, zero}};
+  if (wall.field) bend(wall, local - nearest.normal * nearest.distance, touch, face);
+  return face;
+}
+
+template <ContactLaw Law>
+template <class T>
+void WallContacts<Law>::bend(const Wall& wall, const Vec3<T>& foot, Touch* touch,
+                             Face<T>& face) const {
+  const Vec3<T>& normal = face.normal;
+  T nearer(0.0);
   for (int k = 0; k < width<T>; ++k) {
     touch[k].stencil = wall.field->stencil({lane(foot.x, k), lane(foot.y, k), lane(foot.z, k)});
     const Vec3d u = wall.frame.to_laboratory(wall.field->displacement_at(touch[k].stencil));
     const Vec3d v = wall.frame.to_laboratory(wall.field->velocity_at(touch[k].stencil));
     set_lane(nearer, k,
              u.x * lane(normal.x, k) + u.y * lane(normal.y, k) + u.z * lane(normal.z, k));
-    set_lane(velocity.x, k, v.x);
-    set_lane(velocity.y, k, v.y);
-    set_lane(velocity.z, k, v.z);
+    set_lane(face.bending.x, k, v.x);
+    set_lane(face.bending.y, k, v.y);
+    set_lane(face.bending.z, k, v.z);
   }
-  return velocity;
+  face.distance -= nearer;
 }
 
 template <ContactLaw Law>
@@ -177,72 +192,40 @@ template <class T>
 void WallContacts<Law>::evaluate_at(ParticleStore& particles, const Wall& wall, double dt,
                                     double horizon, std::int64_t slot, WallExtremes& extremes) {
   const std::int32_t* i = &stones[slot];
-  Touch* touch = &touches_[slot];
-
-  const Vec3<T> position = gather<T>(particles.position, i);
-  const T stone = gather<T>(particles.radius.data(), i, 1);
-  const T radius = stone + T(particles.shell);
-  const Vec3<T> local = wall.frame.to_frame(position - Frame::wide<T>(wall.frame.origin));
-  const Nearest<T> nearest =
-      std::visit([&](const auto& surface) { return surface.nearest(local); }, wall.surface);
-  const Vec3<T> normal = wall.frame.to_laboratory(nearest.normal);
-  T distance = nearest.distance;
-  Vec3<T> bending = {T(0.0), T(0.0), T(0.0)};  // velocity of the bent face
-  if (wall.field) {
-    T nearer(0.0);
-    bending = bend(wall, local - nearest.normal * distance, normal, touch, nearer);
-    distance -= nearer;
-  }
-  const T overlap = radius - distance;
+  const Visitor<T> stone = {gather<T>(particles.position, i), gather<T>(particles.velocity, i),
+                            gather<T>(particles.spin, i), gather<T>(particles.radius.data(), i, 1),
+                            gather<T>(particles.inertia.data(), i, 1)};
+  const Face<T> face = face_at<T>(wall, stone.position, &touches_[slot]);
+  WallMeeting<T> pair = meet(stone, face, wall.frame, particles.shell, dt);
+  Contact<T>& contact = pair.contact;
+  contact.softness = T(1.0);
+  if constexpr (Law::breaks) contact.softness = gather<T>(particles.softness.data(), i, 1);
+  contact.horizon = T(horizon);
 
   MemoryOf<Law, T> memory(history, slot);
   const auto listed = lanes_below<T>(slots_ - slot);
-  const auto alive = listed & ((overlap > T(0.0)) | Law::template holds<T>(memory.value));
-  // A wall has no shell: that of the stone yields alone, the stone itself by half as between
-  // stones.
-  const T inset = overlap - T(0.5) * larger(overlap - T(particles.shell), T(0.0));
-  const T arm = radius - inset;
-  const Vec3<T> point = position - normal * arm;
-  const Vec3<T> spin = gather<T>(particles.spin, i);
-  const Vec3<T> rate = gather<T>(particles.velocity, i) - wall.frame.velocity_at(point) - bending;
-
-  Contact<T> contact;
-  contact.overlap = overlap;
-  contact.outer_radius = radius;
-  contact.stone_radius = stone;
-  const T inertia = gather<T>(particles.inertia.data(), i, 1);
-  contact.mass = inertia;
-  contact.softness = T(1.0);
-  if constexpr (Law::breaks) contact.softness = gather<T>(particles.softness.data(), i, 1);
-  contact.normal = normal;
-  contact.closing = -dot(rate, normal);
-  const Vec3<T> slip = rate - cross(arm * spin, normal);
-  contact.sliding = (slip - normal * dot(slip, normal)) * T(dt);
-  // The frame follows the wall and, about the normal, half the stone's own spin.
-  const Vec3<T> frame_spin = Frame::wide<T>(wall.frame.spin);
-  contact.turn = (frame_spin + normal * (T(0.5) * dot(spin - frame_spin, normal))) * T(dt);
-  contact.horizon = T(horizon);
-
+  const auto alive = listed & ((contact.overlap > T(0.0)) | Law::template holds<T>(memory.value));
   const Response<T> response = law(contact, memory.value);
   forget<T>(!alive, memory.value);
   memory.keep(history, slot);
 
   const T zero(0.0);
   const Vec3<T> none = {zero, zero, zero};
-  const Vec3<T> force = select(alive, normal * response.push + response.shear, none);
-  const Vec3<T> moment = select(alive, cross(response.shear, normal), none);
+  const Vec3<T> force = select(alive, contact.normal * response.push + response.shear, none);
+  const Vec3<T> moment = select(alive, cross(response.shear, contact.normal), none);
   T crush = zero;
-  if constexpr (Law::breaks) crush = select(alive, response.stone / (stone * stone), zero);
+  if constexpr (Law::breaks)
+    crush = select(alive, response.stone / (stone.radius * stone.radius), zero);
   Results<T> results;
-  quads(force, select(alive, inset, zero), results.force);
+  quads(force, select(alive, pair.inset, zero), results.force);
   quads(moment, crush, results.moment);
-  quads(point, select(alive, response.push, zero), results.point);
-  quads(moment * arm, crush, results.torque);
+  quads(pair.point, select(alive, response.push, zero), results.point);
+  quads(moment * pair.arm, crush, results.torque);
   put(particles, slot, results);
 
   if (horizon > 0) {
-    const T rate = select(listed, response.stiffness / inertia, zero);
-    const T deep = select(alive, (overlap - T(particles.shell)) / stone, zero);
+    const T rate = select(listed, response.stiffness / stone.inertia, zero);
+    const T deep = select(alive, (contact.overlap - T(particles.shell)) / stone.radius, zero);
     for (int k = 0; k < width<T>; ++k) {
       if (!lane(listed, k)) continue;
       extremes.merge({lane(rate, k), slot + k, lane(deep, k), slot + k});
