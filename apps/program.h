@@ -38,8 +38,12 @@ int run_program(int argc, char** argv, const Program& program,
                 const std::function<void(const Options&)>& body);
 
 // Sets the number of threads of a run: as asked for, else one per thousand stones, at most one per
-// processor. The results do not depend on it.
+// processor. The results do not depend on it. Of several, begins the program anew if they would
+// spin for long while they wait for each other.
 void use_threads(const Options& options, int stones);
+
+// Goes on as that program with these words; comes back only if that fails.
+void become(const std::string& program, const std::vector<std::string>& command_line);
 
 // A run to be resumed that has its summary already; says so.
 bool is_finished(const Options& options);

@@ -1,10 +1,9 @@
 // The steel of the program that knows no elastic one.
-#include <unistd.h>
-
 #include <cassert>
 #include <filesystem>
 
 #include "apps/errors.h"
+#include "apps/program.h"
 #include "apps/steel.h"
 
 namespace apps {
@@ -23,10 +22,7 @@ void use_program_of(const GyratoryScene& scene, const std::vector<std::string>& 
   if (!scene.head.elastic && !scene.mould.elastic) return;
   const std::string program =
       std::filesystem::canonical("/proc/self/exe").parent_path() / "gyratory_elastic";
-  std::vector<char*> words;
-  for (const std::string& word : command_line) words.push_back(const_cast<char*>(word.c_str()));
-  words.push_back(nullptr);
-  execv(program.c_str(), words.data());
+  become(program, command_line);
   throw InputError({scene.where(scene.head.elastic ? "head.elastic" : "mould.elastic") +
                     ": expected rigid steel, as " + program +
                     " cannot be run, found elastic; configure with GYRATORY_WITH_FEM=ON, or set "
