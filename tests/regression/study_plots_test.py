@@ -199,6 +199,10 @@ class StudyPlots(SmallRuns):
         self.assertRegex(answer.stdout, r"Initially .* \| agrees \| down: until a quarter")
         self.assertRegex(answer.stdout, r"up to 5 mm .* \+2.20 mm, .* \| against")
         self.assertRegex(answer.stdout, r"noisy.* is 0.0 % .* \| against")
+        self.assertIn("Of the 30 broken stones 50 % are of the largest fifth, 23 % of the smallest",
+                      answer.stdout)
+        self.assertIn("67 % of the contacts between stones are stretched bonds, 50 % of these by "
+                      "more than the film of both shells, the longest by 3.0 mm", answer.stdout)
         self.assertRegex(answer.stdout, r"stiffer response .*1 against 0.7 %, .* \| agrees")
         self.assertRegex(answer.stdout, r"contact forces .*8 against 4 N, .* \| agrees")
         self.assertRegex(answer.stdout, r"internal angle .* \| not told apart")
@@ -221,6 +225,13 @@ class StudyPlots(SmallRuns):
                 file["history/" + name] = values
                 file["history/" + name].attrs["unit"] = "1"
             file["contacts/normal_force"] = [-3, force - 0.1 * seed, force + 0.1 * seed]
+            # In a row: the shells of the first two overlap, the next are 1 and 3 mm apart.
+            file["contacts/first"], file["contacts/second"] = [0, 1, 2], [1, 2, 3]
+            file["stones/radius"] = 1e-3 * numpy.arange(1, 8)
+            file["stones/shell_thickness"] = [1e-3]
+            file["stones/x"] = 1e-3 * numpy.array([0, 4.5, 12.5, 24.5, 50, 70, 90])
+            file["stones/y"] = file["stones/z"] = numpy.zeros(7)
+            file["fractures/stone"] = [6, 3 if seed == 1 else 0]
             file.create_group("provenance")
         with open(os.path.join(folder, "summary.json"), "w") as file:
             json.dump({"stones": 7, "air_voids_start": 0.3, "bed_height_m": 0.1}, file)
