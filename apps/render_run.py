@@ -84,6 +84,10 @@ def forces(scenery):
                             scenery.place[walls["stone"].astype(int)]])
     end = np.concatenate([scenery.place[between["second"].astype(int)], at_wall])
     force = np.concatenate([between["normal_force"], walls["normal_force"]])
+    if not np.any(force > 0):
+        stage = scenery.stage("Force chains: nothing presses")
+        stage.add(*scenery.steel(0.25))
+        return stage.image()
     mean = force[force > 0].mean()
     strong = force > 0.5 * mean
     most = np.quantile(force[strong], 0.99)
