@@ -142,7 +142,7 @@ namespace {
 // main.
 void spin_briefly(const std::vector<std::string>& command_line) {
   if (std::getenv("GOMP_SPINCOUNT") || std::getenv("OMP_WAIT_POLICY")) return;
-  setenv("GOMP_SPINCOUNT", "1000", 0);  // 20 to 50 us (measured, tests/speed/README.md)
+  setenv("GOMP_SPINCOUNT", "1000", 0);  // measured in tests/speed/README.md
   std::error_code error;
   become(std::filesystem::read_symlink("/proc/self/exe", error), command_line);
 }

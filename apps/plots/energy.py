@@ -53,12 +53,15 @@ def stages(run):
 
 def draw_shares(axes, run):
     """Of what each stage cost, in per cent; what gave energy back is left out."""
-    names, rows, ends = zip(*stages(run))
+    found = stages(run)
+    if not found:  # only the first row is there
+        return axes.axis("off")
+    names, rows, ends = zip(*found)
     gains = [np.maximum(run.columns[column][list(ends)] - run.columns[column][list(rows)], 0)
              for column, _, _ in KINDS]
     left = np.zeros(len(names))
     for (_, _, colour), gained in zip(KINDS, gains):
-        share = 100 * gained / np.sum(gains, axis=0)
+        share = 100 * gained / np.maximum(np.sum(gains, axis=0), 1e-300)
         bars = axes.barh(names, share, left=left, color=colour)
         dark = np.mean(to_rgb(colour)) < 0.5
         axes.bar_label(bars, [f"{part:.0f}" if part >= 2 else "" for part in share],
