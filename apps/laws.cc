@@ -12,6 +12,10 @@ void LawBook::check(const SceneSource& source) const {
     mistakes.push_back(source.where("binder.alpha") + ": expected at most " +
                        std::to_string(most_prony_terms) + " Prony terms, found " +
                        std::to_string(prony_terms()) + "; leave out the least weights");
+  if (rings() && prony_terms() > 2)
+    mistakes.push_back(source.where("binder.film") +
+                       ": expected at most 2 Prony terms with rings, found " +
+                       std::to_string(prony_terms()) + "; take \"even\", or leave out terms");
   if (shell_ > thickest_)
     mistakes.push_back(source.where("binder.content") +
                        fmt::format(": expected shells no thicker than {} x the radius of the "

@@ -28,12 +28,13 @@ struct Counterpart {
 using Dry = dem::Mindlin<dem::Hertz<>>;
 using DampedDry = dem::Mindlin<dem::Hertz<dem::Damping::restitution>>;
 using BreakingDry = dem::Fracture<Dry>;
-template <int Terms>
-using Asphalt = dem::Sum<Dry, dem::Binder<Terms>>;
-template <int Terms>
-using BreakingAsphalt = dem::Sum<BreakingDry, dem::Binder<Terms>>;
+template <int Terms, int Rings = 1>
+using Asphalt = dem::Sum<Dry, dem::Binder<Terms, Rings>>;
+template <int Terms, int Rings = 1>
+using BreakingAsphalt = dem::Sum<BreakingDry, dem::Binder<Terms, Rings>>;
 
 inline constexpr int most_prony_terms = 8;
+inline constexpr int film_rings = 16;  // of films that are remembered in rings
 
 // The constants of a scene's laws.
 class LawBook {
@@ -58,6 +59,7 @@ class LawBook {
   int prony_terms() const { return binder_ ? static_cast<int>(binder_->alpha.size()) : 0; }
   bool fracture() const { return stones_.fracture.has_value(); }
   bool damping() const { return stones_.restitution.has_value(); }
+  bool rings() const { return binder_ && binder_->film == "rings"; }
 
  private:
   template <class Law>
@@ -94,11 +96,12 @@ struct LawBook::Make<dem::Fracture<Stone>> {
   }
 };
 
-template <int Terms>
-struct LawBook::Make<dem::Binder<Terms>> {
-  static dem::Binder<Terms> from(const LawBook& book, const Counterpart& counterpart, bool bonds) {
+template <int Terms, int Rings>
+struct LawBook::Make<dem::Binder<Terms, Rings>> {
+  static dem::Binder<Terms, Rings> from(const LawBook& book, const Counterpart& counterpart,
+                                        bool bonds) {
     const BinderScene& binder = book.binder_.value();
-    dem::Binder<Terms> law;
+    dem::Binder<Terms, Rings> law;
     law.modulus = binder.shear_modulus;
     law.weight.fill(0);  // terms that the scene does not name do nothing
     law.time.fill(1);
@@ -130,6 +133,9 @@ auto with_law(const LawBook& book, Run run) {
   if (terms == 0)
     return book.fracture() ? run.template operator()<BreakingDry>()
                            : run.template operator()<Dry>();
+  if (book.rings())
+    return book.fracture() ? run.template operator()<BreakingAsphalt<2, film_rings>>()
+                           : run.template operator()<Asphalt<2, film_rings>>();
   if (terms <= 2)
     return book.fracture() ? run.template operator()<BreakingAsphalt<2>>()
                            : run.template operator()<Asphalt<2>>();
@@ -139,11 +145,13 @@ auto with_law(const LawBook& book, Run run) {
 
 }  // namespace apps
 
-// Compiled once, in laws_dry.cc and laws_asphalt.cc.
+// Compiled once, in laws_dry.cc, laws_asphalt.cc and laws_rings.cc.
 extern template class dem::Simulation<apps::Dry>;
 extern template class dem::Simulation<apps::DampedDry>;
 extern template class dem::Simulation<apps::BreakingDry>;
 extern template class dem::Simulation<apps::Asphalt<2>>;
 extern template class dem::Simulation<apps::BreakingAsphalt<2>>;
+extern template class dem::Simulation<apps::Asphalt<2, apps::film_rings>>;
+extern template class dem::Simulation<apps::BreakingAsphalt<2, apps::film_rings>>;
 extern template class dem::Simulation<apps::Asphalt<apps::most_prony_terms>>;
 extern template class dem::Simulation<apps::BreakingAsphalt<apps::most_prony_terms>>;

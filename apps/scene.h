@@ -54,7 +54,8 @@ struct BinderScene {
   std::vector<double> alpha;          // [-], sum <= 1, before the bitumen fraction is applied
   std::vector<double> tau;            // [s], as many as alpha
   double bond_energy = 1e4;           // w, work of separation [J/m2]
-  bool wall_bonds = false;  // do shells bond to walls too; false: steel with release agent
+  bool wall_bonds = false;    // do shells bond to walls too; false: steel with release agent
+  std::string film = "even";  // or "rings": how it forgets where its area shrinks
 };
 
 struct FillScene {

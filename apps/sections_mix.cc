@@ -75,30 +75,40 @@ Section describe(std::optional<FractureScene>& fracture) {
 
 Section describe(std::optional<BinderScene>& binder) {
   if (!binder) binder.emplace();
-  return {"binder",
-          "The shell around each stone, of bitumen and fines; absent: dry stones.\n"
-          "Give either the temperature, or shear_modulus, alpha and tau.",
-          {{&binder->content, "content", pure, within(0, 1), "mass of bitumen / mass of the mix",
-            "SMA 11 S: 6.6 % or more, TL Asphalt-StB", required("\"6.6 %\"")},
-           {&binder->density, "density", density, positive, "of the bitumen",
-            "1020 to 1030, from memory"},
-           {&binder->temperature, "temperature", celsius, unbounded,
-            "of the mix, 110 or 150 degC: takes the row of the table",
-            "Olsson, Jelagin, Partl, Table 1", alternative("\"150 degC\"")},
-           {&binder->shear_modulus, "shear_modulus", megapascal, shear_modulus_range,
-            "G0, instantaneous", relaxation, optional("\"6.65 MPa\"")},
-           {&binder->alpha, "alpha", pure, above_zero_to(1),
-            "shares of G0 that relax if all of the phase is bitumen, sum at most 1", relaxation,
-            optional("[0.513, 0.487]")},
-           {&binder->tau, "tau", second, positive, "relaxation times, one for each alpha",
-            relaxation, optional("[\"0.0948 s\", \"105.9 s\"]")},
-           {&binder->bond_energy, "bond_energy", energy_per_area, bond_energy_range,
-            "work of separating two shells, per area", contact},
-           {&binder->wall_bonds, "wall_bonds", pure, unbounded,
-            "shells bond to walls, too, where their films slip by friction all the same; false: "
-            "steel with release agent",
-            ours}},
-          [&binder] { binder.reset(); }};
+  return {
+      "binder",
+      "The shell around each stone, of bitumen and fines; absent: dry stones.\n"
+      "Give either the temperature, or shear_modulus, alpha and tau.",
+      {{&binder->content, "content", pure, within(0, 1), "mass of bitumen / mass of the mix",
+        "SMA 11 S: 6.6 % or more, TL Asphalt-StB", required("\"6.6 %\"")},
+       {&binder->density, "density", density, positive, "of the bitumen",
+        "1020 to 1030, from memory"},
+       {&binder->temperature, "temperature", celsius, unbounded,
+        "of the mix, 110 or 150 degC: takes the row of the table",
+        "Olsson, Jelagin, Partl, Table 1", alternative("\"150 degC\"")},
+       {&binder->shear_modulus, "shear_modulus", megapascal, shear_modulus_range,
+        "G0, instantaneous", relaxation, optional("\"6.65 MPa\"")},
+       {&binder->alpha, "alpha", pure, above_zero_to(1),
+        "shares of G0 that relax if all of the phase is bitumen, sum at most 1", relaxation,
+        optional("[0.513, 0.487]")},
+       {&binder->tau, "tau", second, positive, "relaxation times, one for each alpha", relaxation,
+        optional("[\"0.0948 s\", \"105.9 s\"]")},
+       {&binder->bond_energy, "bond_energy", energy_per_area, bond_energy_range,
+        "work of separating two shells, per area", contact},
+       {&binder->wall_bonds, "wall_bonds", pure, unbounded,
+        "shells bond to walls, too, where their films slip by friction all the same; false: "
+        "steel with release agent",
+        ours},
+       {&binder->film,
+        "film",
+        pure,
+        unbounded,
+        "what a film forgets where its area shrinks: an even share of its shear, or ring by ring "
+        "what its rim has been sheared by, a reference that takes four times as long",
+        ours,
+        {},
+        {"even", "rings"}}},
+      [&binder] { binder.reset(); }};
 }
 
 Section describe(FillScene& fill) {

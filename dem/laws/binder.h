@@ -8,7 +8,9 @@
 //
 // Shear: thin film, T = 1/b int G(t-s) A ds with A = pi R0 h, in stick between stones; on a wall it
 // may slip at friction x push. History shrinks with area and slip, so that a film that has parted
-// carries nothing and a closed cycle creates no energy.
+// carries nothing and a closed cycle creates no energy. The film is remembered in rings of equal
+// area, of which a shrinking contact loses the outermost first; one ring takes all of the film to
+// be strained alike, so that an area that swings forgets a part of the shear with every swing.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +26,7 @@
 namespace dem {
 
 // Terms: number of Prony terms.
-template <int Terms>
+template <int Terms, int Rings = 1>
 struct Binder {
   double modulus;                    // G0 [Pa]
   std::array<double, Terms> weight;  // A_i [-]
@@ -43,12 +45,17 @@ struct Binder {
   static constexpr bool breaks = false;
 
   template <class T>
-  struct Memory {
-    T bonded;                          // 1 since the shells were pressed, 0 otherwise
-    T root;                            // sign(h) sqrt|h| of the previous step [m^0.5]
-    std::array<T, Terms> push;         // transient part of H of each term [m^1.5]
-    Vec3<T> film;                      // int A ds [m3]
+  struct Ring {
+    Vec3<T> film;                      // int A ds, A: area of the ring [m3]
     std::array<Vec3<T>, Terms> shear;  // its transient part of each term [m3]
+  };
+
+  template <class T>
+  struct Memory {
+    T bonded;                         // 1 since the shells were pressed, 0 otherwise
+    T root;                           // sign(h) sqrt|h| of the previous step [m^0.5]
+    std::array<T, Terms> push;        // transient part of H of each term [m^1.5]
+    std::array<Ring<T>, Rings> ring;  // from the middle outwards
   };
 
   template <class T>
@@ -66,10 +73,17 @@ struct Binder {
     }
   }
 
-  // pi R0 h of h = root |root|, 0 without overlap [m2].
+  // Area of a ring at the overlap h = root |root|, 0 without [m2]: pi R0 h in all. The outermost
+  // begins short of h = b, where stones touch, and has no end.
   template <class T>
-  static T film_area(const Contact<T>& contact, T root) {
-    return T(std::numbers::pi) * contact.outer_radius * larger(root * magnitude(root), T(0.0));
+  T ring_area(const Contact<T>& contact, T root, int ring) const {
+    T part = larger(root * magnitude(root), T(0.0));
+    if constexpr (Rings > 1) {
+      const double width = film / Rings;
+      part = larger(part - T(ring * width), T(0.0));
+      if (ring + 1 < Rings) part = smaller(part, T(width));
+    }
+    return T(std::numbers::pi) * contact.outer_radius * part;
   }
 
   template <class T>
@@ -94,24 +108,19 @@ struct Binder {
     const auto parted = strange | (pulled & (elastic <= limit));
     const T push = select(parted, zero, larger(elastic, limit));
 
-    // Both areas of what is remembered, so that none shrinks that does not.
-    const T area = film_area(contact, root), old_area = film_area(contact, old);
-    const T kept = smaller(area / larger(old_area, tiny), T(1.0));
-    const Vec3<T> slid = contact.sliding * area;
-    memory.film = carried(memory.film, contact) * kept + slid;
-    Vec3<T> shear = memory.film * T(relaxed);
-    for (int i = 0; i < Terms; ++i) {
-      memory.shear[i] =
-          carried(memory.shear[i], contact) * (kept * T(decay[i])) + slid * T(growth[i]);
-      shear += memory.shear[i] * T(weight[i]);
-    }
+    Vec3<T> shear = {zero, zero, zero};
+    for (int k = 0; k < Rings; ++k)
+      shear +=
+          strain(memory.ring[k], contact, ring_area(contact, root, k), ring_area(contact, old, k));
     shear = shear * T(-modulus / film);
     if (friction < std::numeric_limits<double>::max()) {
       const T hold = T(friction) * larger(push, zero);
       const T stick = smaller(hold * reciprocal_root(larger(dot(shear, shear), tiny)), T(1.0));
       shear = shear * stick;
-      memory.film = memory.film * stick;
-      for (Vec3<T>& transient : memory.shear) transient = transient * stick;
+      for (Ring<T>& ring : memory.ring) {
+        ring.film = ring.film * stick;
+        for (Vec3<T>& transient : ring.shear) transient = transient * stick;
+      }
     }
 
     memory.root = root;
@@ -121,6 +130,22 @@ struct Binder {
     const T stiffness = larger(T(1.5) * factor * fast_root(ahead),
                                T(modulus / film * std::numbers::pi) * contact.outer_radius * ahead);
     return {push, zero, select(parted, Vec3<T>{zero, zero, zero}, shear), stiffness};
+  }
+
+ private:
+  // A ring slides on; what it carries / (-G0 / b) [m3]. Both areas are of what is remembered, so
+  // that none shrinks that does not.
+  template <class T>
+  Vec3<T> strain(Ring<T>& ring, const Contact<T>& contact, T area, T old_area) const {
+    const T kept = smaller(area / larger(old_area, T(1e-300)), T(1.0));
+    const Vec3<T> slid = contact.sliding * area;
+    ring.film = carried(ring.film, contact) * kept + slid;
+    Vec3<T> sum = ring.film * T(relaxed);
+    for (int i = 0; i < Terms; ++i) {
+      ring.shear[i] = carried(ring.shear[i], contact) * (kept * T(decay[i])) + slid * T(growth[i]);
+      sum += ring.shear[i] * T(weight[i]);
+    }
+    return sum;
   }
 };
 

@@ -38,13 +38,13 @@ inline double crept(double H, double transient) {
 }
 
 // Force / H of all terms together without relaxation [N/m^1.5].
-template <int Terms>
-double normal_stiffness(const Binder<Terms>& law, const Contact<double>& contact) {
+template <int Terms, int Rings>
+double normal_stiffness(const Binder<Terms, Rings>& law, const Contact<double>& contact) {
   return law.normal_factor * law.modulus * std::sqrt(contact.outer_radius);
 }
 
-template <int Terms>
-double normal_energy(const Binder<Terms>& law, const Seen<Binder<Terms>>& seen) {
+template <int Terms, int Rings>
+double normal_energy(const Binder<Terms, Rings>& law, const Seen<Binder<Terms, Rings>>& seen) {
   const auto [h, H] = squeeze_of(seen.memory);
   const double whole = 0.4 * std::abs(h * H);
   double sum = law.relaxed * whole;
@@ -61,8 +61,8 @@ struct Pull {
   double springs, given_up;
 };
 
-template <int Terms>
-Pull pull_of(const Binder<Terms>& law, const Seen<Binder<Terms>>& seen) {
+template <int Terms, int Rings>
+Pull pull_of(const Binder<Terms, Rings>& law, const Seen<Binder<Terms, Rings>>& seen) {
   double sum = law.relaxed * squeeze_of(seen.memory).H;
   for (int i = 0; i < Terms; ++i) sum += law.weight[i] * seen.memory.push[i];
   const double springs = normal_stiffness(law, seen.contact) * sum;
@@ -70,9 +70,9 @@ Pull pull_of(const Binder<Terms>& law, const Seen<Binder<Terms>>& seen) {
   return {springs, larger(limit - springs, 0.0)};
 }
 
-template <int Terms>
-Lost normal_lost(const Binder<Terms>& law, const Seen<Binder<Terms>>& before,
-                 const Seen<Binder<Terms>>& now) {
+template <int Terms, int Rings>
+Lost normal_lost(const Binder<Terms, Rings>& law, const Seen<Binder<Terms, Rings>>& before,
+                 const Seen<Binder<Terms, Rings>>& now) {
   Lost sum;
   // Where shells do not bond, what they let go in parting is creep that has not come back.
   double& parting = law.bond.energy > 0 ? sum.bond : sum.binder;
@@ -95,14 +95,14 @@ Lost normal_lost(const Binder<Terms>& law, const Seen<Binder<Terms>>& before,
   return sum;
 }
 
-// The area of a film at both ends of a step.
+// The area of a ring of film at both ends of a step.
 struct FilmArea {
   double before, now;  // [m2]
 
   double kept() const { return smaller(now / larger(before, 1e-300), 1.0); }
 };
 
-// One term of the film, its history being int A ds with what it forgot.
+// One term of a ring, its history being int A ds with what it forgot.
 struct FilmTerm {
   double stiffness;  // force / history [N/m3]
   double decay, growth;
@@ -124,32 +124,36 @@ inline Lost film_lost(const FilmTerm& term, const Contact<double>& contact, cons
                        0.5 * scale * (dot(old - kept, term.now - kept) - dot(kept, kept))};
 }
 
-template <int Terms>
-Stored stored(const Binder<Terms>& law, const Seen<Binder<Terms>>& seen) {
-  const double area = law.film_area(seen.contact, seen.memory.root);
+template <int Terms, int Rings>
+Stored stored(const Binder<Terms, Rings>& law, const Seen<Binder<Terms, Rings>>& seen) {
   double sum = normal_energy(law, seen);
-  if (area <= 0) return {.binder = sum};
-  const double per_film = law.modulus / (2 * law.film * area);
-  sum += per_film * law.relaxed * dot(seen.memory.film, seen.memory.film);
-  for (int i = 0; i < Terms; ++i)
-    sum += per_film * law.weight[i] * dot(seen.memory.shear[i], seen.memory.shear[i]);
+  for (int k = 0; k < Rings; ++k) {
+    const double area = law.ring_area(seen.contact, seen.memory.root, k);
+    if (area <= 0) break;
+    const auto& [film, shear] = seen.memory.ring[k];
+    const double per_film = law.modulus / (2 * law.film * area);
+    sum += per_film * law.relaxed * dot(film, film);
+    for (int i = 0; i < Terms; ++i) sum += per_film * law.weight[i] * dot(shear[i], shear[i]);
+  }
   return {.binder = sum};
 }
 
-template <int Terms>
-Lost lost(const Binder<Terms>& law, const Seen<Binder<Terms>>& before,
-          const Seen<Binder<Terms>>& now) {
+template <int Terms, int Rings>
+Lost lost(const Binder<Terms, Rings>& law, const Seen<Binder<Terms, Rings>>& before,
+          const Seen<Binder<Terms, Rings>>& now) {
   Lost sum = normal_lost(law, before, now);
-  const FilmArea area = {law.film_area(now.contact, before.memory.root),
-                         law.film_area(now.contact, now.memory.root)};
-  if (area.before <= 0 && area.now <= 0) return sum;
   const double stiffness = law.modulus / law.film;
-  sum += film_lost({stiffness * law.relaxed, 1, 1, before.memory.film, now.memory.film},
-                   now.contact, area);
-  for (int i = 0; i < Terms; ++i)
-    sum += film_lost({stiffness * law.weight[i], law.decay[i], law.growth[i],
-                      before.memory.shear[i], now.memory.shear[i]},
-                     now.contact, area);
+  for (int k = 0; k < Rings; ++k) {
+    const FilmArea area = {law.ring_area(now.contact, before.memory.root, k),
+                           law.ring_area(now.contact, now.memory.root, k)};
+    if (area.before <= 0 && area.now <= 0) break;
+    const auto &old = before.memory.ring[k], &ring = now.memory.ring[k];
+    sum += film_lost({stiffness * law.relaxed, 1, 1, old.film, ring.film}, now.contact, area);
+    for (int i = 0; i < Terms; ++i)
+      sum += film_lost(
+          {stiffness * law.weight[i], law.decay[i], law.growth[i], old.shear[i], ring.shear[i]},
+          now.contact, area);
+  }
   return sum;
 }
 

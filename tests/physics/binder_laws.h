@@ -22,6 +22,13 @@ inline Binder<2> hot_binder(double bitumen_fraction, double bond_energy = 0) {
           {bond_energy}};
 }
 
+// The same shells with a film that is remembered in rings.
+template <int Rings = 16, int Terms>
+Binder<Terms, Rings> in_rings(const Binder<Terms>& even) {
+  return {even.modulus, even.weight, even.time,    even.normal_factor,
+          even.film,    even.bond,   even.friction};
+}
+
 // G(t) / G0.
 inline double relaxation(const Binder<2>& law, double time) {
   double sum = 1;

@@ -8,12 +8,12 @@
 #include "dem/laws/binder_energy.h"
 #include "dem/laws/stone_energy.h"
 #include "dem/laws/sum_energy.h"
+#include "tests/physics/binder_laws.h"
 
 namespace dem {
 namespace {
 
 using Stone = Mindlin<>;
-using Asphalt = Sum<Fracture<Stone>, Binder<2>>;
 constexpr double radius = 1e-3;  // R0 of shells and of stones [m]
 
 // One contact moved by hand, with its book.
@@ -195,17 +195,20 @@ TEST(energy, of_a_bond_is_lost_when_it_breaks) {
   EXPECT_EQ(contact.energy().binder, 0);
 }
 
-TEST(energy, of_a_contact_balances_along_any_path) {
-  // First law: work = stored + lost on paths that press, pull, slide, turn back, relax, slip, break
-  // bonds and stones. Steps are 1e-3 of the way; 1e-3 of all the work ever done covers the
-  // trapezoidal rule where contacts begin, break and jump.
+// First law: work = stored + lost on paths that press, pull, slide, turn back, relax, slip, break
+// bonds and stones. Steps are 1e-3 of the way; 1e-3 of all the work ever done covers the
+// trapezoidal rule where contacts begin, break and jump.
+template <int Rings>
+void expect_balance() {
+  using Law = Sum<Fracture<Stone>, Binder<2, Rings>>;
   std::mt19937 engine(1);
   const auto any = [&] { return engine() / 4294967296.0; };
   for (int path = 0; path < 200; ++path) {
-    Asphalt law = {{stone(0.5), 1}, binder(0.3, 0.4, any() < 0.5 ? 20 : 0)};
+    Law law = {{stone(0.5), 1}, in_rings<Rings>(binder(0.3, 0.4, any() < 0.5 ? 20 : 0))};
     law.a.stone.cover = 0.1e-3 * any();
     if (any() < 0.5) law.b.friction = 0.3;
-    Booked<Asphalt> contact(law);
+    if (Rings > 1) law.b.film = 0.1e-3;  // the paths cross all rings
+    Booked<Law> contact(law);
     double overlap = 0, turnover = 0, softness = 1;
     for (int leg = 0; leg < 8; ++leg) {
       const double to = 0.11e-3 * any() - (any() < 0.3 ? 0.1e-3 : 0), from = overlap;
@@ -225,6 +228,14 @@ TEST(energy, of_a_contact_balances_along_any_path) {
     const double rest = contact.work - stored.stone - stored.binder - contact.losses.sum();
     EXPECT_NEAR(rest, 0, 1e-3 * turnover) << path;
   }
+}
+
+TEST(energy, of_a_contact_balances_along_any_path) {
+  expect_balance<1>();
+}
+
+TEST(energy, of_a_film_in_rings_balances_along_any_path) {
+  expect_balance<16>();
 }
 
 }  // namespace

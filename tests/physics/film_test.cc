@@ -92,6 +92,47 @@ TEST(film, shrinking_contact_gives_up_force_with_its_area) {
   EXPECT_NEAR(-contact.move(deep, 1e-3).shear.x / whole, 0.25, 1e-12);
 }
 
+TEST(film, rings_forget_what_their_rim_has_been_sheared_by_and_no_more) {
+  // From geometry: of a film sheared all alike, a fall to 10 of its 16 rings leaves as much of the
+  // force, and no swing between the two takes more: what comes back has not been sheared. One ring
+  // forgets the same share with every swing.
+  const Binder<2> law = hot_binder(0);
+  OneContact<Binder<2, 16>> rings(in_rings(law), r0, r0);
+  auto even = contact_of(law);
+  const double wide = 0.96 * law.film, narrow = 10.0 / 16 * law.film, left = narrow / wide;
+  const double whole = stiffness(law, wide) * slide;
+  const auto swing = [&](auto& contact) {
+    const double force = -contact.move(narrow, 1e-3).shear.x;
+    contact.move(wide, 1e-3);
+    return force / whole;
+  };
+  for (const double overlap : {0.0, wide}) {
+    rings.move(overlap, 0);
+    even.move(overlap, 0);
+  }
+  EXPECT_NEAR(-rings.move(wide, 0, {slide, 0, 0}).shear.x / whole, 1, 1e-12);
+  even.move(wide, 0, {slide, 0, 0});
+  for (int n = 1; n <= 10; ++n) {
+    check({"shear force left after swings of the area, 16 rings, swings", "1", swing(rings), left,
+           relative(1e-12), "geometry: the rim alone is lost", double(n)});
+    EXPECT_NEAR(swing(even), std::pow(left, n), 1e-12);
+  }
+}
+
+TEST(film, rings_of_a_growing_contact_are_sheared_as_a_film) {
+  // From the law: while the contact grows and slides, nothing is forgotten, in one ring or in many.
+  const Binder<2> law = hot_binder(0.43);
+  OneContact<Binder<2, 16>> rings(in_rings(law), r0, r0);
+  auto even = contact_of(law);
+  for (int n = 1; n <= 100; ++n) {
+    const double overlap = 0.0105 * n * law.film;
+    const Vec3d ds = {0.01 * slide * n, 0.02 * slide, 0};
+    const Vec3d one = even.move(overlap, 0.01, ds).shear;
+    const Vec3d many = rings.move(overlap, 0.01, ds).shear;
+    EXPECT_NEAR(norm(many - one), 0, 1e-12 * norm(one)) << n;
+  }
+}
+
 TEST(film, a_stretched_bond_carries_no_shear) {
   // From the law: no area below h = 0; pressed again, the film starts anew.
   const Binder<2> law = hot_binder(0.43, 1e4);

@@ -152,6 +152,18 @@ TEST(passivity, no_loop_takes_energy_out_of_binder_shells) {
   }
 }
 
+TEST(passivity, no_loop_takes_energy_out_of_films_in_rings) {
+  // From thermodynamics: each ring is a film of its own.
+  for (int seed = 0; seed < loops; ++seed) {
+    Dice dice(seed);
+    const double radius = dice.decade(1e-3, 1e-2), shell = radius * dice.decade(1e-3, 1);
+    const Loop loop = {shell * dice.between(-0.5, 1), 2 * shell, shell * dice.decade(1e-3, 1),
+                       dice.decade(1e-5, 1e3)};
+    expect_passive(in_rings(any_binder<3>(dice, shell)), radius, loop, dice, "films in rings",
+                   seed);
+  }
+}
+
 // Loops sized so that stones stick, slip and part; a turn takes shortest to longest [s].
 template <class Law>
 void expect_passive_stones(const std::string& what, double shortest, double longest) {

@@ -44,7 +44,7 @@ TEST(contact_history, a_block_holds_member_by_member_what_its_slots_hold) {
   History history = filled(16);
   EXPECT_EQ(history.block(1).b.bonded[3], history.slot(11).b.bonded);
   EXPECT_EQ(history.block(0).a.compliance[7], history.slot(7).a.compliance);
-  EXPECT_EQ(history.block(1).b.shear[1].z[0], history.slot(8).b.shear[1].z);
+  EXPECT_EQ(history.block(1).b.ring[0].shear[1].z[0], history.slot(8).b.ring[0].shear[1].z);
   set_lane(history.block(1).b.push[1], 2, -5);
   EXPECT_EQ(history.slot(10).b.push[1], -5);
 }

@@ -38,18 +38,38 @@ TEST_F(SceneMistakes, refuses_a_binder_outside_the_box_that_the_laws_are_proven_
                 ElementsAre(StartsWith("--set binder.shear_modulus: expected")));
 }
 
+// What no law is there for, of a scene that can be read.
+std::vector<std::string> lawless(const apps::GyratoryScene& scene, const apps::Mix& mix) {
+  try {
+    apps::LawBook(scene.stones, scene.binder, mix).check(scene.source);
+  } catch (const apps::InputError& error) {
+    return error.mistakes;
+  }
+  return {};
+}
+
 TEST_F(SceneMistakes, refuses_shells_thicker_than_the_smallest_stone) {
   // sections.h; so much bitumen that spheres could not hold it.
   const apps::GyratoryScene scene = read(least, {"binder.content=60 %"});
   const apps::Mix mix = apps::prepare_mix(scene.stones, scene.binder, scene.run.seed);
   ASSERT_GT(mix.shell, apps::thickest_shell * mix.smallest_radius());
-  try {
-    apps::LawBook(scene.stones, scene.binder, mix).check(scene.source);
-    ADD_FAILURE();
-  } catch (const apps::InputError& error) {
-    EXPECT_THAT(error.mistakes, ElementsAre(AllOf(StartsWith("--set binder.content: expected"),
-                                                  HasSubstr("smallest stone"))));
-  }
+  EXPECT_THAT(lawless(scene, mix), ElementsAre(AllOf(StartsWith("--set binder.content: expected"),
+                                                     HasSubstr("smallest stone"))));
+}
+
+TEST_F(SceneMistakes, refuses_films_in_rings_that_relax_in_more_than_two_terms) {
+  // apps/laws.h: there is no law for them.
+  const auto scene = [&](const std::string& alpha, const std::string& tau) {
+    return read(least, {"binder.temperature=none", "binder.shear_modulus=2 MPa",
+                        "binder.film=rings", "binder.alpha=" + alpha, "binder.tau=" + tau});
+  };
+  const apps::GyratoryScene two = scene("[0.7, 0.3]", "[1, 2]");
+  const apps::GyratoryScene three = scene("[0.7, 0.2, 0.1]", "[1, 2, 3]");
+  const apps::Mix mix = apps::prepare_mix(two.stones, two.binder, two.run.seed);
+  EXPECT_THAT(lawless(two, mix), IsEmpty());
+  EXPECT_THAT(lawless(three, mix),
+              ElementsAre(AllOf(StartsWith("--set binder.film: expected at most 2 Prony terms"),
+                                HasSubstr("found 3"))));
 }
 
 TEST_F(SceneMistakes, refuses_a_mix_of_fines_alone) {
@@ -130,6 +150,7 @@ TEST_F(SceneMistakes, refuses_what_is_not_a_physical_value) {
                              "binder.content=6.6",
                              "binder.bond_energy=-1",
                              "binder.bond_energy=0.11 J/mm2",
+                             "binder.film=odd",
                              "stones.friction=1.6",
                              "mould.wall_friction=1.6",
                              "head.friction=1.6",
