@@ -17,6 +17,7 @@
 
 #include "apps/bed_file.h"
 #include "apps/laws.h"
+#include "apps/program.h"
 #include "apps/whole_file.h"
 #include "dem/strength.h"
 
@@ -211,6 +212,7 @@ nlohmann::ordered_json time_steps(Bed<Law> bed, const Options& options) {
 }
 
 nlohmann::ordered_json run(Options options) {
+  apps::expect_another_file(options.out, {options.bed});
   apps::Mistakes mistakes;
   apps::BedFile bed = apps::read_bed_file(options.bed, mistakes);
   if (options.cylinder_radius > 0) bed.cylinder_radius = options.cylinder_radius;

@@ -42,6 +42,7 @@ void apply_option(Document& document, const std::string& option, Mistakes& mista
 Document overlaid(Document base, const Document& document) {
   base.path = document.path;
   base.text = document.text;
+  base.files.insert(base.files.begin(), document.files.begin(), document.files.end());
   base.in_part |= document.in_part;
   for (const auto& [name, place] : document.sections) base.sections[name] = place;
   for (const auto& [key, value] : document.values) {
@@ -90,6 +91,7 @@ Document read_file(const std::string& path, const std::string& text, Mistakes& m
   Document document;
   document.path = path;
   document.text = text;
+  document.files = {path};
   parse_document(document, mistakes);
   const Value* include = document.find("include");
   if (!include) return document;

@@ -38,6 +38,7 @@ std::string repeated(const std::string& section, std::size_t number);
 struct Document {
   std::string path;
   std::string text;                       // as read
+  std::vector<std::string> files;         // that it was read from, outermost first
   std::map<std::string, Place> sections;  // "stones.fracture" -> its header
   std::map<std::string, Value> values;    // "stones.count" -> value
   std::map<std::string, Place> removed;   // keys and sections that --set took away with `none`

@@ -11,6 +11,7 @@
 #include <functional>
 #include <iostream>
 
+#include "apps/document.h"
 #include "apps/errors.h"
 #include "apps/run_folder.h"
 #include "apps/stop_signal.h"
@@ -96,21 +97,43 @@ bool same_place(const std::filesystem::path& one, const std::filesystem::path& o
   return std::filesystem::equivalent(one, other, error);
 }
 
-// What a program writes must not take the place of the scene, or the case, that it is given.
+// The files that the scene, or the case, is read from. What is wrong with them its program tells. A
+// pipe can be read but once, and is left to it.
+std::vector<std::string> sources_of(const Options& options) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(options.scene, error)) return {options.scene};
+  Mistakes told_by_its_program;
+  const Document document = read_document(options.scene, options.overrides, told_by_its_program);
+  std::vector<std::string> files = document.files;
+  for (const char* key : {"stones.gradation", "path.file"}) {
+    const Value* value = document.find(key);
+    const std::string* table = value ? std::get_if<std::string>(&value->content) : nullptr;
+    if (table) files.push_back(document.path_from(key, *table));
+  }
+  return files;
+}
+
+// What a program writes must not take the place of what it reads.
 void expect_another_place(const Options& options) {
   if (options.check || options.resume) return;
-  const std::filesystem::path scene = std::filesystem::absolute(options.scene);
-  if (same_place(scene, options.out))
-    throw InputError({"--out: expected another file than the case, found " + options.out +
-                      "; choose another name"});
-  if (same_place(scene.parent_path(), options.out) && scene.filename() == stored_scene_file)
-    throw InputError(
-        {"--out: expected a folder without the scene that is to be run, whose name is "
-         "that of a run's own, found " +
-         options.out + "; choose another folder"});
+  const std::vector<std::string> sources = sources_of(options);
+  expect_another_file(options.out, sources);
+  for (const std::string& source : sources) {
+    const std::filesystem::path file = std::filesystem::absolute(source);
+    if (same_place(file.parent_path(), options.out) && is_of_run(file.filename()))
+      throw InputError({"--out: expected a folder without " + source +
+                        ", which is read and whose name is that of a run's own, found " +
+                        options.out + "; choose another folder"});
+  }
 }
 
 }  // namespace
+
+void expect_another_file(const std::string& out, const std::vector<std::string>& read) {
+  if (std::ranges::any_of(read, [&](const std::string& file) { return same_place(file, out); }))
+    throw InputError({"--out: expected another file than those that are read, found " + out +
+                      "; choose another name"});
+}
 
 int run_program(int argc, char** argv, const Program& program,
                 const std::function<void(const Options&)>& body) {

@@ -37,6 +37,9 @@ int exit_status_of(const std::function<int()>& body);
 int run_program(int argc, char** argv, const Program& program,
                 const std::function<void(const Options&)>& body);
 
+// Throws InputError where `out` is one of the files that are read.
+void expect_another_file(const std::string& out, const std::vector<std::string>& read);
+
 // Sets the number of threads of a run: as asked for, else one per thousand stones, at most one per
 // processor. The results do not depend on it. Of several, begins the program anew if they would
 // spin for long while they wait for each other.

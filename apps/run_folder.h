@@ -23,9 +23,13 @@ struct StoredScene {
 inline constexpr const char* stored_scene_file = "scene.toml";
 inline constexpr const char* stored_gradation_file = "gradation.csv";
 
+// Of a file that a run writes, and that goes when the run is replaced.
+bool is_of_run(const std::string& name);
+
 class RunFolder {
  public:
-  // Begins a run. A folder that holds one already is refused, or emptied of it with `overwrite`.
+  // Begins a run. A folder that holds one already is refused, or emptied of it with `overwrite`;
+  // one with a scene or a sieve table of somebody else, in the place of the run's own, is refused.
   // Throws OutputError, as it does where another process runs in the folder.
   RunFolder(const std::string& path, const StoredScene& scene, bool overwrite);
   // Goes on with the run of a folder.

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <set>
 
 #include "apps/errors.h"
 #include "apps/program.h"
@@ -48,12 +49,27 @@ apps::StressReport compare_with_refined(const apps::StressCase& given) {
   return report;
 }
 
+// The pictures of a case must not take the place of those of another, nor of a case.
+void expect_own_pictures(const std::vector<apps::StressCase>& cases, const Options& options) {
+  std::set<std::string> names;
+  for (const apps::StressCase& given : cases) {
+    if (!names.insert(given.name()).second)
+      throw apps::InputError({given.path +
+                              ": expected a case of another name than those before it, whose "
+                              "pictures it would replace, found " +
+                              given.name() + "; rename it, or give it another --out"});
+    for (const char* ending : {".vtu", ".csv"})
+      apps::expect_another_file(options.folder + '/' + given.name() + ending, options.cases);
+  }
+}
+
 int validate(const Options& options) {
   omp_set_num_threads(1);  // what the stones of a case need; more only wait for each other
   std::vector<apps::StressCase> cases;
   for (const std::string& path : options.cases)
     cases.push_back(apps::read_stress_case(path, options.overrides));
   if (!options.folder.empty()) {
+    expect_own_pictures(cases, options);
     std::error_code error;
     std::filesystem::create_directories(options.folder, error);
     if (error) throw apps::OutputError(options.folder + ": cannot be created: " + error.message());

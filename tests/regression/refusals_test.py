@@ -5,11 +5,18 @@ import os
 import shutil
 import subprocess
 
-from small_runs import (BIN, RIGID, SCENE_OF, SCENES, SMALL, SmallRuns, command,
+from small_runs import (BIN, FLOW, RIGID, SCENE_OF, SCENES, SMALL, SmallRuns, command,
                         run_named_test)
 
 
 class Refusals(SmallRuns):
+    def contents(self, folder):
+        found = {}
+        for name in os.listdir(folder):
+            with open(os.path.join(folder, name), "rb") as file:
+                found[name] = file.read()
+        return found
+
     def test_mistakes_end_with_status_2_and_nothing_written(self):
         folder = self.folder("never")
         for program, scene, override in (
@@ -23,6 +30,16 @@ class Refusals(SmallRuns):
             self.assertEqual(done.returncode, 2, override)
             self.assertIn("expected", done.stderr)
             self.assertFalse(os.path.exists(folder))
+        cases = []
+        for part in ("one", "other"):  # whose pictures would have the same names
+            os.makedirs(self.folder(part))
+            cases.append(shutil.copy(os.path.join(SCENES, "walls", "point.toml"),
+                                     self.folder(part)))
+        done = subprocess.run([os.path.join(BIN, "wall_stress"), *cases, "--out", folder],
+                              capture_output=True, text=True)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertRegex(done.stderr, r"other/point\.toml: expected a case of another name")
+        self.assertFalse(os.path.exists(folder))
 
     def test_check_reports_eight_mistakes_in_eight_lines(self):
         # Where each mistake stands: line and column of the value, or of a key that is itself wrong.
@@ -97,23 +114,34 @@ modes = 20
         self.assertNotRegex(loaded, "deal_II|trilinos|libmpi")
 
     def test_what_is_read_is_not_written_over(self):
-        case = shutil.copy(os.path.join(SCENES, "paths", "pair.toml"), self.folder("pair.toml"))
-        own = self.folder("mix")
-        os.makedirs(own)
-        scene = shutil.copy(os.path.join(SCENES, SCENE_OF["flow_test"]),
-                            os.path.join(own, "scene.toml"))
-        for program, read, out in (("contact_path", case, case), ("flow_test", scene, own)):
-            with open(read) as file:
-                before = file.read()
-            line = [os.path.join(BIN, program), read, "--out", out]
-            overwrite = ["--overwrite"] * (program == "flow_test")
-            done = subprocess.run(line + overwrite, capture_output=True, text=True)
+        mix = shutil.copytree(os.path.join(SCENES, "paths"), self.folder("mix"))
+        shutil.copy(os.path.join(SCENES, SCENE_OF["flow_test"]), os.path.join(mix, "scene.toml"))
+        for name, text in (("of_pair.toml", 'include = "pair.toml"\n'),
+                           ("of_scene.toml", 'include = "scene.toml"\n'),
+                           ("of_table.toml", '[stones]\ngradation = "gradation.csv"\n'),
+                           ("gradation.csv", "sieve_mm,passing_percent\n2,25\n16,100\n"),
+                           ("bed.csv", "0,0,0.01,0.01\n")):
+            with open(os.path.join(mix, name), "w") as file:
+                file.write(text)
+        before = self.contents(mix)
+        place = lambda name: os.path.join(mix, name)
+        bed = ["--law", "dry", "--steps", "1", "--radius", "0.05", "--bed", place("bed.csv")]
+        for words, out in (
+                (["contact_path", place("pair.toml")], place("pair.toml")),
+                (["contact_path", place("pair.toml")], place("press_hold_pull.csv")),
+                (["contact_path", place("of_pair.toml")], place("pair.toml")),
+                (["dem_speed", *bed], place("bed.csv")),
+                (["flow_test", place("scene.toml"), "--overwrite"], mix),
+                (["flow_test", place("of_scene.toml"), "--overwrite"], mix),
+                (["flow_test", place("of_table.toml"), "--overwrite"], mix)):
+            line = [os.path.join(BIN, words[0]), *words[1:], "--out", out]
+            done = subprocess.run(line, capture_output=True, text=True)
             self.assertEqual(done.returncode, 2, done.stderr)
-            self.assertIn("--out: expected a", done.stderr)
-            with open(read) as file:
-                self.assertEqual(file.read(), before)
-            check = subprocess.run(line + ["--check"], capture_output=True, text=True)
-            self.assertNotIn("--out", check.stderr)  # writes nothing
+            self.assertRegex(done.stderr, "^--out: expected a.*\n$")
+            self.assertEqual(self.contents(mix), before)
+            if words[0] != "dem_speed":
+                check = subprocess.run(line + ["--check"], capture_output=True, text=True)
+                self.assertNotIn("--out", check.stderr)  # writes nothing
 
     def test_steel_that_cannot_be_is_refused(self):
         gauge = 'output.gauge=[{angle="0 deg", height="12 mm", length="50 mm"}]'
@@ -136,11 +164,25 @@ modes = 20
 
     def test_a_run_is_not_written_over(self):
         folder = self.folder("kept")
-        line = command("flow_test", folder, ["flow.displacement=0.1 mm"])
+        line = command("flow_test", folder, FLOW)
         subprocess.run(line, check=True)
         again = subprocess.run(line, capture_output=True, text=True)
         self.assertEqual(again.returncode, 4)
         self.assertIn("expected a folder without a run, found one", again.stderr)
+        # Its scene is run again elsewhere, but not where it would replace somebody's files.
+        stored = os.path.join(folder, "scene.toml")
+        subprocess.run(command("flow_test", self.folder("again"), [], scene=stored), check=True)
+        for name in ("scene.toml", "gradation.csv"):
+            others = self.folder("with_" + name)
+            os.makedirs(others)
+            with open(os.path.join(others, name), "w") as file:
+                file.write("somebody's")
+            for options in ([], ["--overwrite"]):
+                done = subprocess.run(command("flow_test", others, [], *options, scene=stored),
+                                      capture_output=True, text=True)
+                self.assertEqual(done.returncode, 4, done.stderr)
+                self.assertIn(f"without a {name} that is not of a run, found one", done.stderr)
+                self.assertEqual(self.contents(others)[name], b"somebody's")
 
 
 if __name__ == "__main__":
