@@ -2,7 +2,8 @@
 """Draws how mixes densify: plot_densification.py DIR [--from 8] leaves DIR/densification.png and .svg,
 the density of a run of gyratory compaction, or of every finished run of a study, in per cent of its
 greatest (%Gmm = 100 less the air voids) over the logarithm of the gyrations, and prints the slope per
-decade of gyrations from the given one on, of a study by setting with the standard error over its seeds."""
+decade of gyrations from the given one and from 0.5 on, of a study by setting with the standard error over
+its seeds, and the air voids before the gyrations and at the end."""
 import argparse
 import itertools
 import pathlib
@@ -41,6 +42,29 @@ def slope_of(run, first):
     return slope.per_decade(run.columns["gyration"], density(run), first)
 
 
+def voids_before(run):
+    """The last before it gyrates, in per cent."""
+    gyration = run.columns["gyration"]
+    return 100 * run.columns["air_voids"][max(np.searchsorted(gyration, 0, side="right") - 1, 0)]
+
+
+def table(settings, firsts):
+    headings = ["setting", "runs"]
+    for first in firsts:
+        headings += [f"%Gmm per decade from gyration {first:g}", "+-"]
+    headings += ["air voids before [%]", "at the end [%]"]
+    yield headings
+    yield ["---"] + ["---:"] * (len(headings) - 1)
+    for name, runs in settings.items():
+        row = [name, str(len(runs))]
+        for first in firsts:
+            slopes = [slope_of(run, first) for run in runs]
+            error = np.std(slopes, ddof=1) / len(slopes) ** 0.5 if len(slopes) > 1 else np.nan
+            row += [f"{np.mean(slopes):.2f}", f"{error:.2f}"]
+        yield row + [f"{np.mean([voids_before(run) for run in runs]):.1f}",
+                     f"{np.mean([100 - density(run)[-1] for run in runs]):.1f}"]
+
+
 def settings_of(folder):
     if expect(folder, RUN, STUDY) == RUN:
         return {folder.resolve().name: [Run(folder)]}
@@ -77,17 +101,13 @@ def main():
                         help="gyrations")
     options = parser.parse_args()
     settings = settings_of(options.folder)
-    slopes_of = {name: [slope_of(run, options.first) for run in runs]
-                 for name, runs in settings.items()}
+    rows = list(table(settings, dict.fromkeys((options.first, FIRST))))
     with plt.rc_context(STYLE):
         figure = draw(settings, options.first)
         for ending in ("png", "svg"):
             save(figure, options.folder / f"densification.{ending}", dpi=110)
-    print(f"| setting | runs | %Gmm per decade from gyration {options.first:g} | +- |")
-    print("|---|---:|---:|---:|")
-    for name, slopes in slopes_of.items():
-        error = np.std(slopes, ddof=1) / len(slopes) ** 0.5 if len(slopes) > 1 else np.nan
-        print(f"| {name} | {len(slopes)} | {np.mean(slopes):.2f} | {error:.2f} |")
+    for row in rows:
+        print("| " + " | ".join(row) + " |")
     print(options.folder / "densification.png", file=sys.stderr)
 
 

@@ -20,12 +20,11 @@ from plots.style import BLUE, GREY, INK, RED, STYLE, save
 
 class Setting:
     def __init__(self, name, group, runs):
-        self.word = name
-        self.counted = len(group["seeds"])  # runs that came to their end
-        self.whole = self.counted == runs
+        counted = len(group["seeds"])  # runs that came to their end
+        self.whole = counted == runs
         self.name = name.replace("_", " ")
         if not self.whole:
-            self.name += f" ({self.counted} of {runs} runs)"
+            self.name += f" ({counted} of {runs} runs)"
         self.seconds = np.mean(group["seconds"][:])
         known = {q: g for q, g in group.items() if isinstance(g, h5py.Group)}
         self.error = {q.replace("_", " "): g["error"][0] for q, g in known.items()}
@@ -105,15 +104,6 @@ def draw_errors(axes, settings):
     axes.set_title("Errors [%], red by how far they are beyond the noise")
 
 
-def tell_what_is_newer(settings, folder):
-    runs = study.runs_by_setting(folder)  # says which settings are left out
-    for s in settings:
-        finished = len(runs.get(s.word, []))
-        if finished > s.counted:
-            print(f"{folder / 'runs' / s.word}: drawn with {s.counted} of its {finished} runs, as "
-                  f"in study.h5, {study.WRITTEN}", file=sys.stderr)
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("folder", type=pathlib.Path, help="of trade --out")
@@ -126,7 +116,7 @@ def main():
     if not judged:
         raise InputError(f"{folder}: expected a setting with two seeds that the reference has "
                          "finished too, found none; add seeds to the study and run trade again")
-    tell_what_is_newer(settings, folder)
+    study.runs_by_setting(folder)  # says which are left out
     for s in settings:
         if s not in judged:
             print(f"{s.name}: left out on the left, no quantity of it is judged", file=sys.stderr)

@@ -6,7 +6,7 @@ from scipy.stats import t as students_t
 from . import slope
 from .errors import InputError
 from .run import Run
-from .study import as_word
+from .study import as_word, why_stopped
 
 MIXES = {"SMA 11": ("6.6", "7.8"), "AC 11": ("5.4", "6.6")}
 
@@ -22,8 +22,7 @@ class Mix:
                              f"\"{name}\" that came to its end; give what trade left of a "
                              "studies/paper_*.toml once it is over")
         self.runs = [Run(run) for run in runs[word]]
-        stopped = sorted((folder / "runs" / word).glob("seed_*.stopped"))
-        self.stopped = {path.stem: path.read_text() for path in stopped}
+        self.stopped = why_stopped(folder, word)
 
     def values(self, of):
         return np.array([of(run) for run in self.runs])
@@ -185,12 +184,12 @@ def decrease(run):
 
 def internal_angle(run):
     """Mean of the gyrations [deg]."""
-    return np.mean(run.columns["internal_angle"][run.gyrating()])
+    return run.mean_gyrating("internal_angle")
 
 
 def traction(run):
     """Of the mould, mean of the gyrations [kPa]."""
-    return 1e-3 * np.mean(run.columns["mould_traction"][run.gyrating()])
+    return 1e-3 * run.mean_gyrating("mould_traction")
 
 
 def spread(values):

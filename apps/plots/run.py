@@ -49,8 +49,9 @@ class Run:
     def sieves(self):
         """Sieve openings [m] and the mass share that passes them, as the scene asked for."""
         with self.reading("gradation.csv"):
-            lines = (self.folder / "gradation.csv").read_text().splitlines()
-            rows = [line for line in lines if line.strip() and not line.startswith("#")]
+            text = (self.folder / "gradation.csv").read_bytes().decode("utf-8-sig", "replace")
+            lines = [line.strip() for line in text.split("\n")]
+            rows = [line for line in lines if line and not line.startswith("#")]
             table = np.loadtxt(rows[1:], delimiter=",", ndmin=2)  # below its heading
             return 1e-3 * table[:, 0], 1e-2 * table[:, 1]
 
@@ -71,9 +72,16 @@ class Run:
         return f"{words} [{self.unit(name)}]"
 
     def gyrating(self):
-        """Which rows belong to gyrations and not to the pressure ramp before them."""
-        ramp = max(0, np.count_nonzero(self.columns["gyration"] <= 0) - 1)
-        return slice(ramp, None)
+        """Which rows belong to gyrations: those behind the row that ends where they begin, a little
+        above zero, whose means are of the time before; the last in any case."""
+        begin = np.count_nonzero(self.columns["gyration"] <= 0)
+        return slice(max(0, min(begin + 1, len(self.columns["gyration"]) - 1)), None)
+
+    def mean_gyrating(self, name):
+        """Of a column over the gyrations, each row weighing as much as it is long."""
+        rows = self.gyrating()
+        return np.average(self.columns[name][rows],
+                          weights=np.diff(self.columns["time"], prepend=0)[rows])
 
     def gyration_at(self, time):
         return np.interp(time, self.columns["time"], self.columns["gyration"])

@@ -29,11 +29,11 @@ class StudyPlots(SmallRuns):
         os.remove(os.path.join(self.out, "runs", "a_mix", "seed_12", "summary.json"))
         answer = run_script("plot_densification.py", self.out, "--from", "5")
         self.assertEqual(answer.returncode, 0, answer.stderr)
-        self.assertIn("| a mix | 2 | 4.00 | 1.00 |", answer.stdout)
+        self.assertRegex(answer.stdout, r"\| a mix \| 2 \| 4.00 \| 1.00 \|.*\| 30.0 \| 19.8 \|")
         self.assertTrue(os.path.exists(os.path.join(self.out, "densification.svg")))
         # Nor does one of a setting that the study has no longer.
         with h5py.File(os.path.join(self.out, "study.h5"), "w") as file:
-            file.create_group("settings/another")
+            file["settings/another/seeds"] = [1]
         os.renames(os.path.join(self.out, "runs", "a_mix", "seed_1"),
                    os.path.join(self.out, "runs", "another", "seed_1"))
         answer = run_script("plot_densification.py", self.out, "--from", "5")
@@ -56,7 +56,7 @@ class StudyPlots(SmallRuns):
             "air_voids": 0.2 - 0.03 * numpy.log10(numpy.maximum(gyration, 0.1))})
         answer = run_script("plot_densification.py", self.out)
         self.assertEqual(answer.returncode, 0, answer.stderr)
-        self.assertIn("| a mix | 1 | 3.00 | nan |", answer.stdout)
+        self.assertIn("| a mix | 1 | 3.00 | nan | 23.0 | 20.0 |", answer.stdout)
 
     def test_what_cannot_be_drawn_is_told_in_a_line(self):
         self.write_run("study", "a_mix", 1, {"gyration": numpy.arange(50.0),
@@ -138,15 +138,16 @@ class StudyPlots(SmallRuns):
         answer = run_script("plot_trade.py", self.out)
         self.assertEqual(answer.returncode, 0, answer.stderr)
         self.assertRegex(answer.stderr, r"^unknown \(1 of 3 runs\): left out .*\n$")
-        # What is newer than study.h5 is told, by setting.
+        # What study.h5 is not made of is told.
         for setting, seed in ("new", 1), ("whole", 1), *(("in_part", seed) for seed in (1, 2, 3)):
             self.write_run("out", setting, seed, {})
         answer = run_script("plot_trade.py", self.out)
         self.assertEqual(answer.returncode, 0, answer.stderr)
         told = answer.stderr.splitlines()[:-1]
-        self.assertEqual(len(told), 2)
-        self.assertRegex(told[0], "runs/new: left out, no setting of study.h5, which trade writes")
-        self.assertRegex(told[1], "runs/in_part: drawn with 2 of its 3 runs, as in study.h5")
+        self.assertEqual(len(told), 3)
+        for line, seed in zip(told, (2, 3)):
+            self.assertRegex(line, f"runs/in_part/seed_{seed}: left out, no seed of study.h5, which")
+        self.assertRegex(told[2], "runs/new: left out, no setting of study.h5, which trade writes")
         with open(os.path.join(self.out, "trade.svg")) as file:
             self.assertIn("in part (2 of 3 runs)", file.read())
         sys.path.insert(0, os.path.join(SCENES, ".."))
