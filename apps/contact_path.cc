@@ -80,7 +80,7 @@ class Drive {
       if (stone.crack && steps_ % dem::check_interval == 0) {
         const double share = 1 / stone.softness;
         const double target = dem::stiffness_share(rule_, *stone.crack, loads);
-        stone.softness = 1 / (share + rule_.lag * (target - share));
+        if (target < share) stone.softness = 1 / (share + rule_.lag * (target - share));
       }
       softness += stone.softness / static_cast<double>(stones_.size());
     }
@@ -139,6 +139,8 @@ void follow(const apps::Options& options) {
   } else if (the_case.stone) {
     rows = apps::with_law(
         book, [&]<class Law>() { return table(the_case, book.law<Law>(counterpart, true)); });
+  } else if (book.rings()) {
+    rows = table(the_case, book.law<dem::Binder<2, apps::film_rings>>(counterpart, true));
   } else {
     using Shells = dem::Binder<apps::most_prony_terms>;
     rows = table(the_case, book.law<Shells>(counterpart, true));

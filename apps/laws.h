@@ -21,7 +21,7 @@ namespace apps {
 
 // What a stone meets: another stone, or a wall.
 struct Counterpart {
-  std::optional<dem::Material> wall;  // a rigid wall has infinite `young`; absent: another stone
+  std::optional<dem::Material> wall;  // see `rigid` in apps/bed.h; absent: another stone
   double friction;                    // [-]
 };
 

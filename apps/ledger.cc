@@ -52,5 +52,7 @@ template class dem::EnergyLedger<apps::DampedDry>;
 template class dem::EnergyLedger<apps::BreakingDry>;
 template class dem::EnergyLedger<apps::Asphalt<2>>;
 template class dem::EnergyLedger<apps::BreakingAsphalt<2>>;
+template class dem::EnergyLedger<apps::Asphalt<2, apps::film_rings>>;
+template class dem::EnergyLedger<apps::BreakingAsphalt<2, apps::film_rings>>;
 template class dem::EnergyLedger<apps::Asphalt<apps::most_prony_terms>>;
 template class dem::EnergyLedger<apps::BreakingAsphalt<apps::most_prony_terms>>;

@@ -25,5 +25,7 @@ extern template class dem::EnergyLedger<apps::DampedDry>;
 extern template class dem::EnergyLedger<apps::BreakingDry>;
 extern template class dem::EnergyLedger<apps::Asphalt<2>>;
 extern template class dem::EnergyLedger<apps::BreakingAsphalt<2>>;
+extern template class dem::EnergyLedger<apps::Asphalt<2, apps::film_rings>>;
+extern template class dem::EnergyLedger<apps::BreakingAsphalt<2, apps::film_rings>>;
 extern template class dem::EnergyLedger<apps::Asphalt<apps::most_prony_terms>>;
 extern template class dem::EnergyLedger<apps::BreakingAsphalt<apps::most_prony_terms>>;

@@ -54,7 +54,16 @@ std::vector<Section> describe(PathCase& the_case, std::string& file) {
             {&the_case.bitumen_fraction, "bitumen_fraction", pure, between(0, 1),
              "of the binder phase; alpha is multiplied by it", ""},
             {&binder.bond_energy, "bond_energy", energy_per_area, bond_energy_range,
-             "work of separating two shells, per area", ""}},
+             "work of separating two shells, per area", ""},
+            {&binder.film,
+             "film",
+             pure,
+             unbounded,
+             "what a film forgets where its area shrinks: an even share of its shear, or ring by "
+             "ring what its rim has been sheared by",
+             "",
+             {},
+             {"even", "rings"}}},
            [&the_case] { the_case.binder.reset(); }},
           {"stone",
            "The stones inside; absent: none is met.",
@@ -63,7 +72,7 @@ std::vector<Section> describe(PathCase& the_case, std::string& file) {
             {&stone.friction, "friction", pure, friction_range,
              "Coulomb coefficient of stones, and of the film on a wall", ""},
             {&stone.density, "density", density_unit, positive, "what damping is scaled with", ""},
-            {&stone.restitution, "restitution", pure, above_zero_to(1),
+            {&stone.restitution, "restitution", pure, restitution_range,
              "speed after / before a dry impact; absent: no damping", "", optional("0.5")},
             {&the_case.shear,
              "shear",
@@ -131,6 +140,9 @@ class CaseCheck {
     if (binder.alpha.size() > most_prony_terms)
       refuse("binder.alpha", "at most " + std::to_string(most_prony_terms) + " Prony terms",
              "leave out the least weights");
+    if (binder.film == "rings" && binder.alpha.size() > 2)
+      mistakes_.add(place("binder.film"), "at most 2 Prony terms with rings",
+                    std::to_string(binder.alpha.size()), "take \"even\", or leave out terms");
     constexpr double rounding = 1e-9;  // of decimals that sum to 1
     if (std::accumulate(binder.alpha.begin(), binder.alpha.end(), 0.0) > 1 + rounding)
       refuse("binder.alpha", "alpha with a sum of at most 1",

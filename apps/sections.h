@@ -11,8 +11,10 @@ namespace apps {
 
 inline constexpr Bounds poisson_range{.least = 0, .most = 0.5, .most_excluded = true};
 
-// The box in which the contact laws are proven (tests/extremes): nothing outside is read.
+// The box that tests/extremes/contact_box_test.cc drives pairs of stones in, and that no scene may
+// leave. What has no bounds here, as sizes and relaxation times, is taken there over decades.
 inline constexpr Bounds friction_range = between(0, 1.5);          // [-]
+inline constexpr Bounds restitution_range = between(0.01, 1);      // of stones [-]
 inline constexpr Bounds young_range = between(1e-3, 1e3);          // of stones [GPa]
 inline constexpr Bounds shear_modulus_range = between(1e-3, 1e3);  // of binder [MPa]
 inline constexpr Bounds bond_energy_range = between(0, 0.1);       // [J/mm2]

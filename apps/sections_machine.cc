@@ -53,9 +53,9 @@ Section describe(std::optional<ElasticMouldScene>& mould) {
   if (!mould) mould.emplace();
   Section section{"mould.elastic",
                   "The mould as an elastic body; absent: rigid.",
-                  {{&mould->wall_thickness, "wall_thickness", millimetre, positive,
+                  {{&mould->wall_thickness, "wall_thickness", millimetre, above_zero_to(1e3),
                     "of the cylinder, 7.5 mm or more by standard", standard},
-                   {&mould->height, "height", millimetre, positive,
+                   {&mould->height, "height", millimetre, above_zero_to(5e3),
                     "of the cylinder above its clamped lower edge", standard}},
                   [&mould] { mould.reset(); }};
   add_steel(section, *mould);
@@ -74,15 +74,15 @@ Section describe(HeadScene& head) {
 
 Section describe(std::optional<ElasticHeadScene>& head) {
   if (!head) head.emplace();
-  Section section{
-      "head.elastic",
-      "Plate and shaft as an elastic body; absent: rigid.",
-      {{&head->plate_thickness, "plate_thickness", millimetre, positive, "of the plate", ours},
-       {&head->shaft_diameter, "shaft_diameter", millimetre, positive,
-        "of the ram, less than that of the mould", measured_loss},
-       {&head->shaft_length, "shaft_length", millimetre, positive,
-        "from the back of the plate to the clamped root", measured_loss}},
-      [&head] { head.reset(); }};
+  Section section{"head.elastic",
+                  "Plate and shaft as an elastic body; absent: rigid.",
+                  {{&head->plate_thickness, "plate_thickness", millimetre, above_zero_to(1e3),
+                    "of the plate", ours},
+                   {&head->shaft_diameter, "shaft_diameter", millimetre, above_zero_to(1e3),
+                    "of the ram, less than that of the mould", measured_loss},
+                   {&head->shaft_length, "shaft_length", millimetre, above_zero_to(5e3),
+                    "from the back of the plate to the clamped root", measured_loss}},
+                  [&head] { head.reset(); }};
   add_steel(section, *head);
   return section;
 }

@@ -57,7 +57,7 @@ Section describe(StonesScene& stones) {
        {&stones.poisson, "poisson", pure, poisson_range, "Poisson's ratio", paper},
        {&stones.friction, "friction", pure, friction_range, "Coulomb coefficient between stones",
         contact},
-       {&stones.restitution, "restitution", pure, above_zero_to(1),
+       {&stones.restitution, "restitution", pure, restitution_range,
         "speed after / before a dry impact; absent: no contact damping", ours, optional("0.5")}}};
 }
 

@@ -78,7 +78,7 @@ std::vector<Section> describe(StressCase& given) {
         {&stones.poisson, "poisson", pure, poisson_range, "Poisson's ratio", ""},
         {&stones.friction, "friction", pure, at_least(0), "Coulomb coefficient of stones", ""},
         {&stones.wall_friction, "wall_friction", pure, at_least(0), "at wall and floor", ""},
-        {&stones.restitution, "restitution", pure, above_zero_to(1), "speed after / before", ""},
+        {&stones.restitution, "restitution", pure, restitution_range, "speed after / before", ""},
         {&stones.mass_scale, "mass_scale", pure, at_least(1), "inertia / true inertia", ""},
         {&stones.modes, "modes", pure, at_least(1), "of the mould's reduced body", ""},
         {&stones.seed, "seed", pure, at_least(0), "of sizes and places", ""}}},

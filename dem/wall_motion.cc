@@ -43,7 +43,9 @@ void orient(const Ram& ram, Frame& frame, double time) {
 void advance(const Motion& motion, Frame& frame, const Vec3d& contact_force, double time,
              Steps steps) {
   const double dt = steps.now;
-  if (const auto* driven = std::get_if<Driven>(&motion)) {
+  if (std::holds_alternative<Fixed>(motion)) {
+    frame.velocity = frame.spin = Vec3d{0, 0, 0};
+  } else if (const auto* driven = std::get_if<Driven>(&motion)) {
     frame.velocity = driven->velocity;
     frame.origin += driven->velocity * dt;
   } else if (const auto* ram = std::get_if<Ram>(&motion)) {

@@ -9,6 +9,7 @@
 
 namespace dem {
 
+// At rest, whatever moved it before.
 struct Fixed {};
 
 // Constant velocity [m/s], no turning.

@@ -2,6 +2,7 @@
 // & Roberts (1971), F_min = 3/2 pi w R0, used as a limit on tension.
 #pragma once
 
+#include <cmath>
 #include <numbers>
 
 namespace dem {
@@ -13,6 +14,13 @@ struct Bond {
   template <class T>
   T pull_off(T outer_radius) const {
     return T(1.5 * std::numbers::pi * energy) * outer_radius;
+  }
+
+  // Between two stones: how far it stretches before it parts, where 8/3 sqrt(R0) G stretch^1.5 is
+  // F_min, G: modulus after the time that takes [Pa]. [m], infinite for a fluid.
+  double stretch(double modulus, double outer_radius) const {
+    return std::pow(pull_off(outer_radius) / (8.0 / 3.0 * std::sqrt(outer_radius) * modulus),
+                    2.0 / 3.0);
   }
 };
 

@@ -39,14 +39,14 @@ struct Hertz {
 
   // Stiffness at bare-stone overlap d that asks for as small a step as the contact does [N/m]:
   // 2 E0 a, the tangent, of a spring alone. A dashpot that answers half a step late lowers the
-  // critical step by sqrt(1 + z^2) - z, z its share of critical damping (Belytschko, Liu & Moran,
-  // Nonlinear Finite Elements, 2000, 6.2).
+  // critical step by sqrt(1 + z^2) - z = 1 / (sqrt(1 + z^2) + z), z its share of critical damping
+  // (Belytschko, Liu & Moran, Nonlinear Finite Elements, 2000, 6.2).
   template <class T>
   T stiffness(T d, const Contact<T>& contact) const {
     const T tangent = T(2.0 * modulus) * fast_root(contact.stone_radius * d);
     if constexpr (damping == Damping::none) return tangent;
-    const double z = std::sqrt(5.0 / 6.0) * damping_ratio, step = std::sqrt(1 + z * z) - z;
-    return tangent * T(1 / (step * step));
+    const double z = std::sqrt(5.0 / 6.0) * damping_ratio, slower = std::sqrt(1 + z * z) + z;
+    return tangent * T(slower * slower);
   }
 };
 

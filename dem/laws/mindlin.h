@@ -60,7 +60,7 @@ struct Mindlin {
 
     memory.shear = shear;
     memory.compliance = T(1 / (8.0 * shear_modulus)) * push.inverse_radius * weakness;
-    // The shear stiffness is 4 G*/E0 < 1 of the normal one for every Poisson's ratio >= 0.
+    // The shear stiffness is 4 G*/E0 <= 1 of the normal one for every Poisson's ratio >= 0.
     const T ahead = larger(overlap_ahead(contact) - T(cover), T(0.0));
     return {force, force, shear, normal.stiffness(ahead, contact) * share};
   }

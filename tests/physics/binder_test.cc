@@ -12,7 +12,7 @@
 namespace dem {
 namespace {
 
-using checks::absolute, checks::check, checks::relative;
+using checks::absolute, checks::at_least, checks::check, checks::relative;
 
 constexpr double r0 = 1.4e-3;  // of two stones of 5.6 mm [m]
 constexpr double deep = 1e-3;  // [m]
@@ -60,16 +60,16 @@ TEST(binder, a_step_of_overlap_relaxes_as_the_modulus) {
   }
 }
 
-TEST(binder, a_step_at_a_wall_is_twice_that_of_a_pair) {
-  // Closed form: K = 16/3 sqrt(R) against 8/3 sqrt(R0), as one of the two bodies is rigid.
-  Binder<2> wall = hot_binder(1);
-  wall.normal_factor = wall_factor;
-  auto at_wall = contact_of(wall), of_pair = contact_of(hot_binder(1));
+TEST(binder, the_force_is_in_proportion_to_its_factor) {
+  // From the law. That of walls is twice that of pairs: tests/unit/law_book_test.cc.
+  Binder<2> twice = hot_binder(1);
+  twice.normal_factor *= 2;
+  auto one = contact_of(hot_binder(1)), two = contact_of(twice);
   for (int k = 1; k < 50; ++k) {
     const double h = deep * k / 50;
-    check({"force at a wall / of a pair, same overlap", "1",
-           at_wall.move(h, 0.01).push / of_pair.move(h, 0.01).push, 2, relative(1e-12),
-           "closed form, Lee & Radok (1960)", h});
+    check({"force of twice the factor / of the factor, overlap / m", "1",
+           two.move(h, 0.01).push / one.move(h, 0.01).push, 2, relative(1e-12),
+           "the law: linear in its factor", h});
   }
 }
 
@@ -209,6 +209,97 @@ TEST(binder, fast_loading_is_glassy_and_slow_loading_relaxed) {
          "closed form, glassy limit"});
   check({"force / K G0 h^1.5 of a ramp within 1e10 s", "1", end_of_ramp(1e10), 1 - 0.43,
          absolute(1e-7), "closed form, relaxed limit"});
+}
+
+Binder<2> binder_with_film(double thickness) {
+  Binder<2> law = hot_binder(0.43, 1e4);
+  law.film = thickness;
+  return law;
+}
+
+// Against pressing, stretching and sliding further, in steps that take no time, from a contact at
+// this overlap [N/m].
+struct Slopes {
+  double normal, shear;
+};
+
+Slopes slopes_of(const OneContact<Binder<2>>& contact, double overlap) {
+  const double step = 1e-4 * std::abs(overlap);
+  const auto after = [&](double rise, double sliding) {
+    OneContact<Binder<2>> copy = contact;
+    return copy.move(overlap + rise, 0, {sliding, 0, 0});
+  };
+  return {(after(step, 0).push - after(-step, 0).push) / (2 * step),
+          (after(0, -step).shear.x - after(0, step).shear.x) / (2 * step)};
+}
+
+// Pressed, then held at this overlap for a time.
+OneContact<Binder<2>> contact_at(const Binder<2>& law, double overlap, double time) {
+  auto contact = contact_of(law);
+  contact.move(deep, 0);
+  contact.move(overlap, 0);
+  contact.move(overlap, time);
+  return contact;
+}
+
+TEST(binder, the_reported_stiffness_is_the_steepest_slope_of_the_force) {
+  // Central differences over 1e-4 h, whose own error is 4e-10. A thick film is stiffer against
+  // pressing, a thin one against sliding, and relaxation softens neither against a quick step.
+  for (const double time : {0.0, 1.0, 1e4})
+    for (const double overlap : {0.05e-3, 0.15e-3})
+      for (const double film : {0.2e-3, 1e-3}) {
+        auto contact = contact_at(binder_with_film(film), overlap, time);
+        const auto [normal, shear] = slopes_of(contact, overlap);
+        EXPECT_EQ(shear > normal, film == 0.2e-3) << film << ' ' << overlap;
+        check({"reported stiffness / steepest slope of the force, overlap / m", "1",
+               contact.move(overlap, 0).stiffness / std::max(normal, shear), 1, relative(1e-8),
+               "central difference", overlap});
+      }
+}
+
+TEST(binder, a_stretched_bond_is_reported_no_softer_than_it_is) {
+  // Central difference, as above. A stretched bond has no film, which the law counts all the same:
+  // too stiff where the film is thin, exact where it is thick.
+  constexpr double overlap = -0.15e-3;
+  for (const double time : {0.0, 1.0, 1e4}) {
+    auto thin = contact_at(binder_with_film(0.2e-3), overlap, time);
+    auto thick = contact_at(binder_with_film(1e-3), overlap, time);
+    EXPECT_TRUE(thin.held() && thick.held());
+    for (const auto& bond : {thin, thick}) EXPECT_EQ(slopes_of(bond, overlap).shear, 0);
+    check({"reported stiffness / slope of a stretched bond, thin film", "1",
+           thin.move(overlap, 0).stiffness / slopes_of(thin, overlap).normal, 1, at_least,
+           "central difference"});
+    check({"reported stiffness / slope of a stretched bond, thick film", "1",
+           thick.move(overlap, 0).stiffness / slopes_of(thick, overlap).normal, 1, relative(1e-8),
+           "central difference"});
+  }
+}
+
+TEST(binder, shells_that_approach_are_reported_as_stiff_as_they_will_be_at_the_horizon) {
+  // From the promise of dem/contact.h: shells at h that approach at v are as stiff as those at rest
+  // at h + v x horizon; shells that part, as they are.
+  constexpr double horizon = 2e-3;  // [s]
+  for (const double film : {0.2e-3, 1e-3}) {
+    Binder<2> law = binder_with_film(film);
+    law.set_time_step(1e-6);
+    const auto stiffness = [&](double overlap, double closing) {
+      Contact<double> contact = {};
+      contact.overlap = overlap;
+      contact.outer_radius = r0;
+      contact.normal = {0, 0, 1};
+      contact.closing = closing;
+      contact.horizon = horizon;
+      Binder<2>::Memory<double> memory = {};
+      return law(contact, memory).stiffness;
+    };
+    const double at_rest = stiffness(0.5e-3, 0);
+    for (const double overlap : {-0.1e-3, 0.3e-3})
+      check({"stiffness reported of shells that approach / at rest where they get to, overlap / m",
+             "1", stiffness(overlap, (0.5e-3 - overlap) / horizon) / at_rest, 1, relative(1e-12),
+             "the promise of dem/contact.h", overlap});
+    EXPECT_EQ(stiffness(0.5e-3, -0.1), at_rest);
+    EXPECT_EQ(stiffness(-0.5e-3, 0.1), 0);  // 0.3 mm apart by then
+  }
 }
 
 TEST(binder, a_pair_that_never_touched_feels_nothing) {

@@ -60,7 +60,7 @@ as the lines "exact partial slip" say.
 BULK = """
 ## Beds against other codes
 
-From `tests/physics/compare_bulk.py --out tests/physics/bulk.csv`: {beds} beds of {stones}
+From `tests/physics/compare_bulk.py --steps {steps} --out tests/physics/bulk.csv`: {beds} beds of {stones}
 stones, {steps} steps of 1 us from rest without shear springs; the shared bed, and others by its
 generator and settling deck with the seeds {seeds}. Floor and wall force are those of Hertz at the
 last overlaps, / weight; they exceed 1 because the beds were settled soft and hardened under load,

@@ -162,6 +162,28 @@ TEST(moving_walls, a_pressed_stone_meets_the_wall_in_the_middle_of_their_overlap
   EXPECT_NEAR(rolls.walls()[0].force.x, 0, 1e-12 * std::abs(rolls.walls()[0].force.z));
 }
 
+TEST(moving_walls, a_wall_that_is_stopped_drags_no_stone) {
+  // Closed form: on a stone that is too heavy to be moved the floor pulls by 8 G* a, times the way
+  // that it has gone, 0.1 um a step, and by no more once it stands.
+  constexpr double radius = 2e-3, overlap = 10e-6;
+  dem::Settings settings;
+  settings.largest_step = 1e-6;
+  settings.skin = 0.1e-3;
+  settings.gravity = 0;
+  dem::Simulation<Dry> bed(dem::make_stones({{0, 0, radius - overlap}}, {radius}, {2650}, 1e30),
+                           law(), settings);
+  dem::Wall floor;
+  floor.surface = dem::Plane{};
+  floor.motion = dem::Driven{{0.1, 0, 0}};
+  bed.add_wall(floor, law());
+  const double pull = 8 * law().shear_modulus * std::sqrt(radius * overlap) * 10 * 0.1e-6;
+  for (int n = 0; n < 10; ++n) bed.step();
+  EXPECT_NEAR(bed.stones().load[0].force.x, pull, 1e-9 * pull);
+  bed.walls()[0].motion = dem::Fixed{};
+  for (int n = 0; n < 10; ++n) bed.step();
+  EXPECT_NEAR(bed.stones().load[0].force.x, pull, 1e-9 * pull);
+}
+
 TEST(moving_walls, a_stone_outside_the_mould_stops_the_run_by_name) {
   // Closed form: a stone of radius 2 mm whose centre is 5 mm beyond the wall overlaps it by 7 mm.
   dem::Settings settings;

@@ -10,10 +10,13 @@
 #include <utility>
 #include <vector>
 
+#include "dem/fracture.h"
 #include "dem/integrator.h"
 #include "dem/laws/binder.h"
+#include "dem/laws/fracture.h"
 #include "dem/laws/mindlin.h"
 #include "dem/laws/sum.h"
+#include "dem/wall_contacts.h"
 
 namespace dem {
 namespace {
@@ -107,6 +110,108 @@ TEST(pair_contacts, eight_slots_at_a_time_are_answered_as_one_at_a_time) {
   }
   EXPECT_EQ(fast.touching(stones), slow.touching(stones));
   EXPECT_EQ(fast.held(), slow.held());
+}
+
+// Stones, some of them broken, and the face of a bending disc above them, which some touch and some
+// nearly do; all move and spin.
+struct BedAtWall {
+  using Law = Sum<Fracture<Mindlin<>>, Binder<2>>;
+
+  ParticleStore stones;
+  Wall wall;
+  WallContacts<Law> contacts;
+
+  explicit BedAtWall(int count) {
+    std::mt19937 engine(2);
+    const auto any = [&] { return engine() / 4294967295.0 - 0.5; };
+    const auto vector = [&](double size) { return Vec3d{any(), any(), any()} * size; };
+    const double angle = 0.02, c = std::cos(angle), s = std::sin(angle);
+    wall.surface = Disc{disc};
+    wall.frame = {{3e-3, -2e-3, 5e-3}, {c, 0, -s},       {0, 1, 0},
+                  {s, 0, c},           {0.1, 0.2, -0.1}, {3, -2, 5}};
+    wall.field.emplace(DiscGrid{disc, 3, 12});
+    for (Vec3d& u : wall.field->displacement) u = vector(2e-6);
+    for (Vec3d& v : wall.field->velocity) v = vector(0.02);
+    std::vector<Vec3d> position;
+    std::vector<double> radius;
+    for (int k = 0; k < count; ++k) {
+      radius.push_back(2e-3 + 1e-3 * any());
+      const double overlap = 0.3e-3 + 0.8e-3 * any();
+      const Vec3d at = {disc * any(), disc * any(), overlap - radius.back() - shell};
+      position.push_back(wall.frame.origin + wall.frame.to_laboratory(at));
+    }
+    stones = make_stones(position, radius, {2650, shell, 1950}, 100);
+    make_breakable(stones, std::vector<double>(count, 1e300));
+    for (int k = 0; k < count; ++k) {
+      stones.velocity[k] = vector(1);
+      stones.spin[k] = vector(100);
+      if (k % 3 == 0) stones.softness[k] = 5.5 + 9 * any();
+    }
+    contacts.law = {{{{3.8e10}, 8e9, 0.7, shell}, 0.8},
+                    {6.65e6, {0.2, 0.2}, {0.09, 106}, 16.0 / 3, shell, {100}, 0.3}};
+    contacts.law.set_time_step(dt);
+    const double skin = 0.5e-3;
+    contacts.find(stones, wall, skin, leashes(stones, skin, std::vector<double>(count, 0.0)));
+  }
+
+  template <class T>
+  WallExtremes evaluate(double horizon) {
+    weigh(stones, 0);
+    return contacts.evaluate<T>(stones, wall, dt, horizon);
+  }
+
+  static constexpr double disc = 20e-3;  // radius [m]
+};
+
+TEST(wall_contacts, eight_slots_at_a_time_are_answered_as_one_at_a_time) {
+  // As between stones, here with memories that each keeps for itself, so that rounding, 1e-13 of
+  // the largest force, may add up over the steps. Two chunks of slots, the last pack not full.
+  constexpr int count = 75;
+  constexpr int steps = 50;
+  BedAtWall fast(count), slow(count);
+  ASSERT_EQ(fast.contacts.slots(), count);
+  double impulse = 0;
+  for (int n = 0; n < steps; ++n) {
+    const double horizon = n % 7 == 0 ? ahead : 0, rounding = 1e-13 * (n + 1);
+    const WallExtremes at_fast = fast.evaluate<Pack>(horizon);
+    const WallExtremes at_slow = slow.evaluate<double>(horizon);
+    double force = 0, torque = 0, crush = 0, sum = 0;
+    for (int k = 0; k < count; ++k) {
+      const Load& load = slow.stones.load[k];
+      force = std::max(force, norm(load.force));
+      torque = std::max(torque, norm(load.torque));
+      crush = std::max(crush, load.crush);
+      sum += norm(load.force);
+    }
+    ASSERT_GT(crush, 0);
+    for (int k = 0; k < count; ++k) {
+      const Load &a = fast.stones.load[k], &b = slow.stones.load[k];
+      ASSERT_NEAR(norm(a.force - b.force), 0, rounding * force) << n << ' ' << k;
+      ASSERT_NEAR(norm(a.torque - b.torque), 0, rounding * torque) << n << ' ' << k;
+      ASSERT_NEAR(a.crush, b.crush, rounding * crush) << n << ' ' << k;
+    }
+    EXPECT_NEAR(norm(fast.wall.force - slow.wall.force), 0, rounding * sum);
+    EXPECT_NEAR(norm(fast.wall.moment - slow.wall.moment), 0, rounding * sum * BedAtWall::disc);
+    EXPECT_NEAR(fast.wall.push, slow.wall.push, rounding * sum);
+    impulse += sum * dt;
+    EXPECT_NEAR(at_fast.rate, at_slow.rate, rounding * at_slow.rate);
+    EXPECT_EQ(at_fast.rate_slot, at_slow.rate_slot);
+    EXPECT_NEAR(at_fast.overlap, at_slow.overlap, rounding);
+    EXPECT_EQ(at_fast.overlap_slot, at_slow.overlap_slot);
+    EXPECT_NEAR(at_fast.stiffness, at_slow.stiffness, rounding * at_slow.stiffness);
+    drift(fast.stones);
+    drift(slow.stones);
+  }
+  for (std::size_t n = 0; n < fast.wall.field->size(); ++n)
+    EXPECT_NEAR(norm(fast.wall.field->impulse[n] - slow.wall.field->impulse[n]), 0,
+                1e-13 * steps * impulse);
+  int held = 0;
+  for (int s = 0; s < count; ++s) {
+    EXPECT_EQ(fast.contacts.history.holds(s), slow.contacts.history.holds(s));
+    held += slow.contacts.history.holds(s);
+  }
+  EXPECT_GT(held, 0);
+  EXPECT_LT(held, count);
 }
 
 TEST(pair_contacts, looking_at_the_extremes_does_not_change_the_forces) {

@@ -118,6 +118,24 @@ TEST_F(PathCaseTest, what_is_outside_the_box_of_the_laws_is_refused) {
               ElementsAre(HasSubstr("--set stone.friction: expected")));
 }
 
+TEST_F(PathCaseTest, films_are_even_unless_the_case_says_rings) {
+  // From the promise.
+  EXPECT_EQ(read(pair_of_shells).binder->film, "even");
+  const PathCase rings = read(pair_of_shells, "0,0,0\n", {"binder.film=rings"});
+  EXPECT_EQ(rings.binder->film, "rings");
+  EXPECT_THAT(mistakes(pair_of_shells, "0,0,0\n", {"binder.film=odd"}),
+              ElementsAre(HasSubstr("one of even, rings")));
+}
+
+TEST_F(PathCaseTest, films_in_rings_that_relax_in_more_than_two_terms_are_refused) {
+  // apps/laws.h: there is no law for them.
+  EXPECT_THAT(
+      mistakes(pair_of_shells, "0,0,0\n",
+               {"binder.film=rings", "binder.alpha=[0.7, 0.2, 0.1]", "binder.tau=[1, 2, 3]"}),
+      ElementsAre(
+          HasSubstr("--set binder.film: expected at most 2 Prony terms with rings, found 3")));
+}
+
 TEST_F(PathCaseTest, restitution_is_for_dry_stones_that_do_not_break) {
   // There is no law for anything else.
   EXPECT_THAT(mistakes(pair_of_shells, "0,0,0\n", {"stone.restitution=0.5"}),

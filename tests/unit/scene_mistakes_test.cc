@@ -124,6 +124,8 @@ TEST_F(SceneMistakes, refuses_what_is_not_a_physical_value) {
                              "mould.diameter=0 mm",
                              "mould.diameter=-1",
                              "mould.diameter=10 mm",
+                             "mould.elastic.height=250",  // metres, where mm were meant
+                             "head.elastic.shaft_length=250",
                              "gyration.angle=1",
                              "gyration.pressure=0",
                              "gyration.ramp=0",

@@ -38,10 +38,24 @@ TEST(motion, a_fixed_wall_stays) {
   EXPECT_EQ(norm(frame.velocity), 0);
 }
 
+TEST(motion, a_wall_that_is_stopped_stays_where_it_is) {
+  // By definition, however it was driven and turned before.
+  Frame frame = oriented(ram(true), 2);
+  ASSERT_GT(norm(frame.spin), 0);
+  advance(Driven{{0.5, 0, -0.25}}, frame, {0, 0, 0}, 0, {1, 1});
+  const Vec3d place = frame.origin, ex = frame.ex;
+  advance(Fixed{}, frame, {10, 10, 10}, 1, {0.1, 0.1});
+  EXPECT_EQ(norm(frame.velocity), 0);
+  EXPECT_EQ(norm(frame.spin), 0);
+  EXPECT_EQ(norm(frame.origin - place), 0);
+  EXPECT_EQ(norm(frame.ex - ex), 0);
+}
+
 TEST(motion, a_driven_wall_goes_as_it_is_told) {
   // Closed form: x = v t.
   Frame frame;
-  for (int n = 0; n < 1000; ++n) advance(Driven{{0.5, 0, -0.25}}, frame, {9, 9, 9}, n * 1e-3, {1e-3, 1e-3});
+  for (int n = 0; n < 1000; ++n)
+    advance(Driven{{0.5, 0, -0.25}}, frame, {9, 9, 9}, n * 1e-3, {1e-3, 1e-3});
   EXPECT_NEAR(frame.origin.x, 0.5, 1e-12);
   EXPECT_NEAR(frame.origin.z, -0.25, 1e-12);
   EXPECT_EQ(frame.velocity.z, -0.25);
