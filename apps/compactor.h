@@ -156,19 +156,14 @@ void Compactor<Law>::mount_head() {
   dem::Wall plate;
   plate.name = "head";
   plate.surface = dem::Disc{machine_.plate_radius};
-  if (scene_.head.elastic) {
-    elastic_head_ = make_steel(*scene_.head.elastic, machine_, scene_.numerics, plate);
-    head_mass_ = elastic_head_->outline().mass;
-  } else {
-    head_mass_ = rigid_head_mass(scene_.head, machine_);
-  }
+  elastic_head_ = make_steel(scene_.head.elastic, machine_, scene_.numerics, plate);
+  head_mass_ =
+      elastic_head_ ? elastic_head_->outline().mass : rigid_head_mass(scene_.head, machine_);
   plate.motion = ram();
   orient(ram(), plate.frame, closed_at_);
   plate.frame.origin = {0, 0, plate_start_};
   bed_.add_wall(plate, wall_law(head, true));
-  if (scene_.mould.elastic)
-    elastic_mould_ =
-        make_steel(*scene_.mould.elastic, machine_, scene_.numerics, bed_.walls()[mould]);
+  elastic_mould_ = make_steel(scene_.mould.elastic, machine_, scene_.numerics, bed_.walls()[mould]);
   const Law law = book_.law<Law>({std::nullopt, scene_.stones.friction}, true);
   bed_.set_laws(law, {wall_law(floor, true), wall_law(mould, true), wall_law(head, true)});
   if (scene_.numerics.selective_mass) bed_.set_inertia(selected_inertia(law, bed_.stones()));

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numeric>
+
+#include "dem/laws/bond.h"
 
 namespace apps {
 namespace {
@@ -16,6 +19,14 @@ constexpr double nearly_static = 1e-2;   // inertial number up to which forces a
 constexpr double nearly_unstable = 0.5;  // twelve such contacts around a stone bear 2 / sqrt(12)
 constexpr double near_table = 0.05;      // of the mass, that stones may depart from it: our choice
 constexpr double enough_widths = 4;  // 150 mm for stones up to 37.5 mm: AASHTO T 312, from memory
+
+// How far a bond between two such stones stretches once all that relaxes has relaxed [m].
+double relaxed_bond(const BinderScene& binder, const Mix& mix, double radius) {
+  const double relaxes =
+      mix.bitumen_fraction * std::accumulate(binder.alpha.begin(), binder.alpha.end(), 0.0);
+  const double modulus = binder.shear_modulus * std::max(0.0, 1 - relaxes);
+  return dem::Bond{binder.bond_energy}.stretch(modulus, (radius + mix.shell) / 2);
+}
 
 // Time step of the smallest stone pressed on one like it by a force [N].
 double step_under(double force, const Mix& mix, const BedPlan& plan) {
@@ -60,6 +71,10 @@ BedForecast forecast(const BedPlan& plan, const Mix& mix, const Loading& loading
   told.shell = mix.shell;
   told.smallest = 2 * mix.smallest_radius();
   told.largest = 2 * mix.largest_radius();
+  if (plan.binder) {
+    told.shortest_bond = relaxed_bond(*plan.binder, mix, mix.smallest_radius());
+    told.longest_bond = relaxed_bond(*plan.binder, mix, mix.largest_radius());
+  }
   told.contacts = 0.5 * touching_neighbours * count;
   told.load = loading.pressure * mean * mean;
   told.loaded_step = step_under(told.load, mix, plan);
@@ -101,6 +116,13 @@ std::vector<std::string> forecast_lines(const BedForecast& told, const NumericsS
                   1e3 * told.seconds_per_step, steel_share(told)),
       fmt::format("inertial number  {:.1e} (high from {:.0e} on)", told.inertial_number,
                   told.quasi_static)};
+  if (told.longest_bond > 0)
+    lines.push_back(fmt::format("bonds            stretch by {:.1f} to {:.1f} mm once relaxed",
+                                1e3 * told.shortest_bond, 1e3 * told.longest_bond));
+  if (told.longest_bond > told.largest)
+    lines.push_back(
+        "warning: bonds stretch farther than the largest stone is wide, which no film does; lower "
+        "binder.bond_energy, or raise binder.shear_modulus");
   const double most = numerics.mass_scale * std::pow(told.quasi_static / told.inertial_number, 2);
   if (most < 1)
     lines.push_back(fmt::format(

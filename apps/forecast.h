@@ -16,6 +16,7 @@ namespace apps {
 
 struct BedPlan {
   const StonesScene& stones;
+  const std::optional<BinderScene>& binder;
   const FillScene& fill;
   const NumericsScene& numerics;
   int seed;
@@ -35,6 +36,7 @@ struct Loading {
 struct BedForecast {
   double stone_count;
   double shell, smallest, largest;       // thickness, diameters [m]
+  double shortest_bond, longest_bond;    // relaxed, between two smallest, two largest stones [m]
   double contacts;                       // pairs of stones whose shells touch
   std::size_t memory;                    // of a contact's law [B]
   double loose_step, loaded_step;        // [s]

@@ -6,6 +6,7 @@
 #include "apps/fidelity.h"
 #include "apps/gyratory_forecast.h"
 #include "apps/gyratory_run.h"
+#include "apps/inertia_price.h"
 #include "apps/program.h"
 #include "apps/scene_manual.h"
 #include "apps/scene_record.h"
@@ -15,17 +16,20 @@ namespace {
 
 void foretell(const apps::GyratoryScene& scene, const apps::Mix& mix, const apps::Machine& machine,
               const apps::LawBook& book) {
-  const apps::BedPlan plan = {scene.stones, scene.fill, scene.numerics, scene.run.seed,
-                              dem::RoundMould{machine.mould_radius}};
+  const apps::BedPlan plan = {scene.stones,   scene.binder,
+                              scene.fill,     scene.numerics,
+                              scene.run.seed, dem::RoundMould{machine.mould_radius}};
   const apps::Loading loading = apps::gyratory_loading(scene, machine);
   const apps::SteelForecast steel = apps::steel_forecast(scene, machine);
-  for (const std::string& line : apps::mould_lines(machine)) std::cout << line << '\n';
+  for (const std::string& line : apps::mould_lines(machine, scene.stones.count))
+    std::cout << line << '\n';
   apps::with_law(book, [&]<class Law>() {
     apps::BedForecast told = apps::forecast_bed<Law>(plan, mix, book, loading);
     told.steel_seconds = steel.seconds;
     told.steel_seconds_per_step = steel.seconds_per_step;
     for (const std::string& line : apps::forecast_lines(told, scene.numerics))
       std::cout << line << '\n';
+    std::cout << apps::inertia_line(told.inertial_number) << '\n';
     for (const std::string& line : apps::steel_lines(steel, scene, told.loaded_step))
       std::cout << line << '\n';
   });

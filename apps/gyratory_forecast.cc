@@ -26,8 +26,8 @@ double measured_exchange(SteelPart& part, dem::Wall& wall) {
 }  // namespace
 
 Loading gyratory_loading(const GyratoryScene& scene, const Machine& machine) {
-  // Measured, apps/docs/trade.md: a third of the densification is lost at 5e-4, a quarter at 3e-4,
-  // the default's.
+  // Where a third of the densification is lost, see inertia_price.h; a quarter at 3e-4, the
+  // default's.
   constexpr double quasi_static = 4e-4;
   const GyrationScene& gyration = scene.gyration;
   return {gyration.pressure,
@@ -39,16 +39,17 @@ Loading gyratory_loading(const GyratoryScene& scene, const Machine& machine) {
           "lower gyration.speed, or raise gyration.pressure"};
 }
 
-std::vector<std::string> mould_lines(const Machine& machine) {
-  constexpr double flat = 0.3;  // specimen height / diameter: usual ones have 0.7 and more
-  const double diameter = 2 * machine.mould_radius;
+std::vector<std::string> mould_lines(const Machine& machine, int stones) {
+  constexpr double flattest = 0.66;  // specimen height / diameter, EN 12697-31, from memory
+  const double diameter = 2 * machine.mould_radius, share = machine.height / (flattest * diameter);
   std::vector<std::string> lines = {fmt::format("mould            {:g} mm wide", 1e3 * diameter)};
-  if (machine.height < flat * diameter)
-    lines.push_back(
-        fmt::format("warning: the mix is flat, {:.2g} mm high in a mould of {:.4g} mm: its highest "
-                    "stones carry "
-                    "the plate and its air voids mean little; take more stones or a narrower mould",
-                    1e3 * machine.height, 1e3 * diameter));
+  if (share < 1)
+    lines.push_back(fmt::format(
+        "warning: the mix is flat, {:.2g} mm high in a mould of {:.4g} mm, usual are {:g} of the "
+        "width and more: below, the highest stones carry the plate and air voids mean little; take "
+        "{:.0f} stones, or a mould of {:.3g} mm",
+        1e3 * machine.height, 1e3 * diameter, flattest, std::ceil(stones / share),
+        1e3 * diameter * std::cbrt(share)));
   return lines;
 }
 
@@ -58,7 +59,7 @@ SteelForecast steel_forecast(const GyratoryScene& scene, const Machine& machine)
     if (!elastic) return;
     const double began = wall_clock();
     dem::Wall wall;
-    const Steel part = make_steel(*elastic, machine, scene.numerics, wall);
+    const Steel part = make_steel(elastic, machine, scene.numerics, wall);
     told.seconds += wall_clock() - began;
     told.seconds_per_step += measured_exchange(*part, wall);
     told.parts.push_back({name, part->outline()});

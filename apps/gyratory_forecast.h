@@ -9,8 +9,8 @@ namespace apps {
 
 Loading gyratory_loading(const GyratoryScene& scene, const Machine& machine);
 
-// Its width, and a warning where it is too wide for the mix.
-std::vector<std::string> mould_lines(const Machine& machine);
+// Its width, and a warning where it is too wide for so many stones.
+std::vector<std::string> mould_lines(const Machine& machine, int stones);
 
 // Of the elastic bodies, which are meshed and reduced for it.
 struct SteelForecast {

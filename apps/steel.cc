@@ -169,14 +169,16 @@ void ElasticPart::draw(const std::string& vtu, const dem::Frame& frame) const {
 
 }  // namespace
 
-Steel make_steel(const ElasticHeadScene& scene, const Machine& machine,
+Steel make_steel(const std::optional<ElasticHeadScene>& scene, const Machine& machine,
                  const NumericsScene& numerics, dem::Wall& wall) {
-  return std::make_unique<ElasticPart>(scene, "head.elastic", machine, numerics, wall);
+  if (!scene) return nullptr;
+  return std::make_unique<ElasticPart>(*scene, "head.elastic", machine, numerics, wall);
 }
 
-Steel make_steel(const ElasticMouldScene& scene, const Machine& machine,
+Steel make_steel(const std::optional<ElasticMouldScene>& scene, const Machine& machine,
                  const NumericsScene& numerics, dem::Wall& wall) {
-  return std::make_unique<ElasticPart>(scene, "mould.elastic", machine, numerics, wall);
+  if (!scene) return nullptr;
+  return std::make_unique<ElasticPart>(*scene, "mould.elastic", machine, numerics, wall);
 }
 
 void use_program_of(const GyratoryScene&, const std::vector<std::string>&) {}  // it is this one

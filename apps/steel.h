@@ -5,6 +5,7 @@
 
 #include <Eigen/Dense>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,11 +54,11 @@ class SteelPart {
 
 using Steel = std::unique_ptr<SteelPart>;  // none: rigid
 
-// Gives `wall` its letterbox and reduces the body to the scene's modes. Throws InputError where the
-// body has not as many.
-Steel make_steel(const ElasticHeadScene& scene, const Machine& machine,
+// Gives `wall` its letterbox and reduces the body to the scene's modes; nothing of a body that the
+// scene has not. Throws InputError where the body has not as many modes.
+Steel make_steel(const std::optional<ElasticHeadScene>& scene, const Machine& machine,
                  const NumericsScene& numerics, dem::Wall& wall);
-Steel make_steel(const ElasticMouldScene& scene, const Machine& machine,
+Steel make_steel(const std::optional<ElasticMouldScene>& scene, const Machine& machine,
                  const NumericsScene& numerics, dem::Wall& wall);
 
 // Goes on, with that command line, as the program that knows the steel of the scene, if this one

@@ -6,6 +6,7 @@
 namespace {
 
 using testing::AllOf;
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -35,9 +36,9 @@ TEST(forecast, warns_of_stones_that_are_not_those_of_the_sieve_table) {
   // Our choice: beyond 5 percentage points.
   apps::BedForecast told = harmless();
   told.fitted = told.drawn = {8e-3, 0.60, 0.649};
-  EXPECT_THAT(apps::forecast_lines(told, {}),
-              testing::Contains(AllOf(StartsWith("sieve table"),
-                                      HasSubstr("64.9 % instead of 60.0 % pass 8 mm"))));
+  EXPECT_THAT(
+      apps::forecast_lines(told, {}),
+      Contains(AllOf(StartsWith("sieve table"), HasSubstr("64.9 % instead of 60.0 % pass 8 mm"))));
   EXPECT_THAT(warnings(told), IsEmpty());
   told.drawn = {11.2e-3, 0.95, 1};
   EXPECT_THAT(warnings(told),
@@ -71,6 +72,19 @@ TEST(forecast, knows_that_no_mass_scale_may_be_low_enough) {
   numerics.mass_scale = 1;
   told.inertial_number = 5e-4;
   EXPECT_THAT(warnings(told, numerics), ElementsAre(HasSubstr("no numerics.mass_scale")));
+}
+
+TEST(forecast, warns_of_bonds_longer_than_any_stone) {
+  apps::BedForecast told = harmless();
+  EXPECT_THAT(apps::forecast_lines(told, {}), testing::Not(Contains(StartsWith("bonds"))));
+  told.largest = 11.2e-3;
+  told.shortest_bond = 2.6e-3;
+  told.longest_bond = 4e-3;
+  EXPECT_THAT(apps::forecast_lines(told, {}),
+              Contains(AllOf(StartsWith("bonds"), HasSubstr("2.6 to 4.0 mm"))));
+  EXPECT_THAT(warnings(told), IsEmpty());
+  told.longest_bond = 11.3e-3;
+  EXPECT_THAT(warnings(told), ElementsAre(HasSubstr("lower binder.bond_energy")));
 }
 
 TEST(forecast, warns_of_a_container_by_its_name) {
