@@ -20,6 +20,9 @@ SPEEDUP_OF_TWO_THREADS = {5000: 1.6, 50000: 1.8}
 ASPHALT_TO_DRY = 2.0                # time per touching contact
 BYTES_PER_STONE = {"dry": 1200, "asphalt": 2500}
 LISTS_OF_GYRATING_BED = 0.10        # of the step
+STEEL_OF_ELASTIC_RUN = 0.05         # of the step, default modes
+ELASTIC = ["gyration.ramp=0.1 s", "gyration.dwell=0.1 s", "gyration.count=0.05",
+           "output.picture_interval=0 s"]
 LARGE_TO_SMALL = 1.5                # time per stone and step, 200,000 stones to 5000
 GYRATING = ["--gyrate", "10"]       # 10^5 steps a gyration, as in a paper-size run
 GYRATING_STEPS = (12000, 4000)      # until the lid is down, timed
@@ -169,6 +172,24 @@ def compare_gyrating(beds, table, stones):
                share / LISTS_OF_GYRATING_BED, most=1.0)
 
 
+def compare_elastic(beds, table):
+    """What a mould and a head of steel take of a run of 5000 stones."""
+    program = os.path.join(os.path.dirname(beds.options.program), "gyratory")
+    scene = os.path.join(HOUSE, "apps", "scenes", "gyratory_sma11_150C_paper_steel.toml")
+    out = f"{beds.folder}/elastic"
+    command = [program, scene, "--out", out, "--threads", "1", "--quiet"]
+    command += [word for override in ELASTIC for word in ("--set", override)]
+    done = subprocess.run(command, capture_output=True, text=True)
+    if done.returncode:
+        sys.exit("failed: " + " ".join(command) + "\n" + done.stderr)
+    with open(f"{out}/summary.json") as file:
+        spent = json.load(file)
+    share = spent["seconds_steel"] / sum(spent[f"seconds_{part}"]
+                                         for part in ("stones", "outputs", "steel"))
+    table.line("elastic steel [share]", 5000, 1, share, STEEL_OF_ELASTIC_RUN,
+               share / STEEL_OF_ELASTIC_RUN, most=1.0)
+
+
 def compare_sizes(beds, table):
     """Time per stone and step of a large bed: four of the middle size, one on top of the other."""
     large = beds.stacked(50000, 4)
@@ -204,6 +225,7 @@ def main():
             compare_with_self(beds, table, stones)
         if options.full:
             compare_gyrating(beds, table, 5000)
+            compare_elastic(beds, table)
             compare_sizes(beds, table)
     sys.exit(0 if table.holds and codes else 1)
 
