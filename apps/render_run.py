@@ -155,7 +155,10 @@ def why_no_movie(scenery):
     else:
         of, advice = "the test", ""
         length = scene["flow"]["displacement"] / scene["flow"]["speed"]
-    advice += " or " * bool(advice) + f'output.picture_interval = "{length / FEWEST_FRAMES:.3g} s"'
+    interval = length / FEWEST_FRAMES
+    advice += " or " * bool(advice) + f'output.picture_interval = "{interval:.3g} s"'
+    if scene["output"]["history_interval"] > interval:
+        advice += ", and output.history_interval no longer than that"
     return (f"no movie: expected {FEWEST_FRAMES} pictures of {of}, found "
             f"{len(movie_frames(scenery))}; run it again with {advice}")
 
